@@ -5,14 +5,16 @@
 #include <stdexcept>
 #include <string>
 
-namespace gonio {
+namespace gonio
+{
 
 /// A failure at run time: a full disk, an unreadable table, a budget that was not met. Exit code 1.
 struct RunError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The user asked for something that cannot be: says where, what is allowed and the nearest name. Exit code 2.
+/// The user asked for something that cannot be: says where, what is allowed and the nearest name.
+/// Exit code 2.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

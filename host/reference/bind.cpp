@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a material to its reference: fills the parameter structs and adds up the lobes.
+#include "gonio/material.hpp"
+#include "reference/params.hpp"
+
+namespace gonio
+{
+namespace reference
+{
+namespace
+{
+
+/// Hands out a lobe's numbers in the order of the registry's block.
+class Reader
+{
+public:
+    explicit Reader(const Lobe& lobe) : lobe_(lobe) {}
+    double scalar() { return lobe_.number(next_++, 0); }
+    Color color()
+    {
+        Color all{};
+        const std::size_t count = lobe_.values[next_].size();
+        for (std::size_t c = 0; c < max_channels; ++c)
+            all[c] = lobe_.number(next_, c < count ? c : 0);
+        ++next_;
+        return all;
+    }
+    template <class Choice>
+    Choice choice()
+    {
+        return static_cast<Choice>(static_cast<int>(lobe_.values[next_++][0]));
+    }
+
+private:
+    const Lobe& lobe_;
+    std::size_t next_ = 0;
+};
+
+// Reference bind_ward(const Lobe& lobe): braces are read from left to right.
+#define MODEL(id, title, citation, traits) \
+    Reference bind_##id(const Lobe& lobe)  \
+    {                                      \
+        Reader read(lobe);                 \
+        const id##_params p                \
+        {
+#define SCALAR(id, name, unit, least, greatest, preset, doc) read.scalar(),
+#define COLOR(id, name, unit, least, greatest, preset, doc) read.color(),
+#define CHOICE(id, name, preset, doc) read.choice<id##_##name>(),
+#define END_MODEL(id)                                                                             \
+    }                                                                                             \
+    ;                                                                                             \
+    return [p](glm::dvec3 l, glm::dvec3 v, std::size_t channel) { return id(p, l, v, channel); }; \
+    }
+#include "gonio/shared/models.inc"
+
+Reference bind(const Lobe& lobe)
+{
+#define MODEL(name, title, citation, traits) \
+    if (lobe.model->id == #name) return bind_##name(lobe);
+#include "gonio/shared/models.inc"
+    return {};
+}
+
+double weight(const Lobe& lobe, std::size_t channel)
+{
+    return static_cast<float>(lobe.weight[lobe.weight.size() == 1 ? 0 : channel]);
+}
+
+}  // namespace
+}  // namespace reference
+
+Reference make_reference(const Material& material, Measure measure)
+{
+    struct Term {
+        Reference f;
+        Lobe lobe;
+        bool is_value;
+    };
+    std::vector<Term> terms;
+    for (const Lobe& lobe : material.lobes)
+        terms.push_back({reference::bind(lobe), lobe, (lobe.traits() & VALUE) != 0});
+    return [terms, measure](glm::dvec3 l, glm::dvec3 v, std::size_t channel) {
+        double sum = 0;
+        for (const Term& term : terms) {
+            double f = reference::weight(term.lobe, channel) * term.f(l, v, channel);
+            if (measure == Measure::brdf && term.is_value) f /= l.z;
+            if (measure == Measure::brdf_cosine && !term.is_value) f *= l.z;
+            sum += f;
+        }
+        return sum;
+    };
+}
+
+}  // namespace gonio

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// The registry of reflectance models as data: what models.inc says, for validation, help, listings
+// and tests.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gonio
+{
+
+/// What a model or one of its options is; OR-ed together.
+enum Traits : unsigned {
+    PLAIN = 0,
+    ONE_WAY = 1,      ///< not reciprocal
+    EXPONENTIAL = 2,  ///< accuracy class of exponential and power lobes; algebraic without it
+    VALUE = 4,        ///< prints a value that contains cos theta_i, not a BRDF in 1/sr
+};
+
+struct Option {
+    std::string_view name;
+    unsigned traits;
+    std::string_view doc;
+};
+
+/// How many numbers a parameter has: one, one per channel, or the number of an option.
+enum class Kind { scalar, color, choice };
+
+struct Parameter {
+    Kind kind;
+    std::string_view name;
+    std::string_view unit;  ///< "deg" is radians inside
+    double least = 0, greatest = 0;
+    double preset = 0;  ///< the default; for a choice the number of the option
+    std::string_view doc;
+    std::vector<Option> options;  ///< of a choice
+};
+
+/// One name that sets two parameters: alpha for alpha_x and alpha_y. A material is isotropic if
+/// they agree.
+struct Both {
+    std::string_view alias, first, second;
+};
+
+struct Model {
+    std::string_view id, title, citation;
+    unsigned traits = PLAIN;
+    std::vector<Parameter> parameters;  ///< in the order of the block
+    std::vector<Both> both;
+
+    /// Index of a parameter, or npos.
+    std::size_t index_of(std::string_view name) const;
+    static constexpr std::size_t npos = static_cast<std::size_t>(-1);
+};
+
+/// A model under the name that people look for: `ggx` is torrance_sparrow with ndf = ggx.
+struct Alias {
+    std::string_view name, model, choice, option;
+};
+
+const std::vector<Model>& models();
+const std::vector<Alias>& aliases();
+
+/// The model of that id, or nullptr. Aliases are not resolved here: see default_lobe().
+const Model* find_model(std::string_view id);
+
+/// "; did you mean `ward`?" if one of the candidates is near, else "; known are: ...".
+std::string suggestion(std::string_view wrong, const std::vector<std::string_view>& candidates);
+
+}  // namespace gonio

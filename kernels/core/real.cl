@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// The width-generic number `real` (float at width 1, floatN else) and its masks. A comparison in OpenCL C is 1 for scalars
+// and -1 for vectors; here a mask has all bits set at every width.
+#ifndef GONIO_CORE_REAL
+#define GONIO_CORE_REAL
+
+#pragma OPENCL FP_CONTRACT OFF
+
+#ifndef WIDTH
+#define WIDTH 1
+#endif
+
+#define JOIN_TOKENS(a, b) a##b
+#define JOIN(a, b) JOIN_TOKENS(a, b)
+
+/// A literal of the kernels' precision: R(0.5).
+#define R(literal) JOIN(literal, f)
+#define PI R(3.14159265358979323846)
+
+#if WIDTH == 1
+typedef float real;
+typedef int mask_t;
+typedef uint bits_t;
+#define LESS(a, b) (-(int)((a) < (b)))
+#define to_int convert_int
+#define to_real convert_float
+#define as_bits as_uint
+#define as_real as_float
+static inline real choose(mask_t mask, real yes, real no) { return mask ? yes : no; }
+static inline real load(global const float *from) { return *from; }
+static inline void store(real value, global float *to) { *to = value; }
+static inline real reversed(real value) { return value; }
+#else
+typedef JOIN(float, WIDTH) real;
+typedef JOIN(int, WIDTH) mask_t;
+typedef JOIN(uint, WIDTH) bits_t;
+#define LESS(a, b) ((a) < (b))
+#define to_int JOIN(convert_int, WIDTH)
+#define to_real JOIN(convert_float, WIDTH)
+#define as_bits JOIN(as_uint, WIDTH)
+#define as_real JOIN(as_float, WIDTH)
+static inline real choose(mask_t mask, real yes, real no) { return select(no, yes, mask); }
+static inline real load(global const float *from) { return JOIN(vload, WIDTH)(0, from); }
+static inline void store(real value, global float *to) { JOIN(vstore, WIDTH)(value, 0, to); }
+#if WIDTH == 2
+static inline real reversed(real value) { return value.s10; }
+#elif WIDTH == 4
+static inline real reversed(real value) { return value.s3210; }
+#elif WIDTH == 8
+static inline real reversed(real value) { return value.s76543210; }
+#else
+static inline real reversed(real value) { return value.sfedcba9876543210; }
+#endif
+#endif
+
+static inline mask_t less(real a, real b) { return LESS(a, b); }
+static inline real square(real x) { return x * x; }
+
+/// x^5
+static inline real fifth_power(real x) { return x * square(square(x)); }
+
+/// One number in two floats, |lo| at most half an ulp of hi.
+typedef struct {
+    real hi, lo;
+} two_floats;
+
+/// a + b, exact (Knuth, TAOCP 2, 4.2.2, theorem B).
+static inline two_floats two_sum(real a, real b)
+{
+    const real sum = a + b;
+    const real rest = sum - a;
+    const two_floats result = {sum, (a - (sum - rest)) + (b - rest)};
+    return result;
+}
+
+/// a b, to about 2^-46 relative.
+static inline two_floats two_floats_product(two_floats a, two_floats b)
+{
+    const real product = a.hi * b.hi;
+    const two_floats result = {product, fma(a.hi, b.hi, -product) + (a.hi * b.lo + a.lo * b.hi)};
+    return result;
+}
+
+/// a + sign b, to about 2^-46 of the larger one.
+static inline two_floats two_floats_sum(two_floats a, two_floats b)
+{
+    const two_floats sum = two_sum(a.hi, b.hi);
+    return two_sum(sum.hi, sum.lo + (a.lo + b.lo));
+}
+
+static inline two_floats negated(two_floats a)
+{
+    const two_floats result = {-a.hi, -a.lo};
+    return result;
+}
+
+#endif
