@@ -3,16 +3,12 @@
 #include "gonio/material.hpp"
 #include "reference/params.hpp"
 
-namespace gonio
-{
-namespace reference
-{
-namespace
-{
+namespace gonio {
+namespace reference {
+namespace {
 
 /// Hands out a lobe's numbers in the order of the registry's block.
-class Reader
-{
+class Reader {
 public:
     explicit Reader(const Lobe& lobe) : lobe_(lobe) {}
     double scalar() { return lobe_.number(next_++, 0); }

@@ -7,8 +7,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// (n.h)^n times (n + 2)(n + 4)/(8 pi (n + 2^(-n/2))): the integral of (n.h)^n cos theta_o at
 /// normal incidence is its inverse.

@@ -9,8 +9,7 @@
 #include "reference/facets.hpp"
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// F D G / (4 (n.l)(n.v)): Cook & Torrance 1982, normalised as in Walter et al., EGSR 2007, eq. 20.
 double cook_torrance(const cook_torrance_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)

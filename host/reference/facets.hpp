@@ -7,8 +7,7 @@
 
 #include "reference/fresnel.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// Params has the members fresnel, f0, eta, k.
 template <class Params>

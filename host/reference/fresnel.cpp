@@ -5,8 +5,7 @@
 #include <cmath>
 #include <complex>
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 double fresnel_schlick(double f0, double cos_theta)
 {

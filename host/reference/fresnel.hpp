@@ -2,8 +2,7 @@
 // Fresnel reflectance for unpolarised light by complex arithmetic, as optics books write it.
 #pragma once
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// Schlick, CGF 13(3), 1994, eq. 15.
 double fresnel_schlick(double f0, double cos_theta);

@@ -4,8 +4,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 double lambert(const lambert_params& p, glm::dvec3, glm::dvec3, std::size_t channel)
 {

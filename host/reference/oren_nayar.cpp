@@ -6,8 +6,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// Oren & Nayar 1994, eq. 30: rho/pi (A + B max(0, cos(phi_o - phi_i)) sin alpha tan beta).
 double oren_nayar(const oren_nayar_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)

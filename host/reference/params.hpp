@@ -8,8 +8,7 @@
 
 #include "gonio/material.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 using Color = std::array<double, max_channels>;
 

@@ -6,8 +6,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// Lafortune & Willems 1994: rho_s (n + 2)/(2 pi) cos^n alpha, alpha between the mirror direction
 /// and v; 0 beyond 90 degrees.

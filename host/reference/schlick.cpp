@@ -4,8 +4,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// The value t/(n - n t + t) with t = r.v; 0 where t <= 0.
 double schlick(const schlick_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)

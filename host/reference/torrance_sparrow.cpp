@@ -8,10 +8,8 @@
 #include "reference/facets.hpp"
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
-namespace
-{
+namespace gonio::reference {
+namespace {
 
 /// Trowbridge & Reitz, JOSA 65, 1975; the anisotropic form of Burley 2012, eq. 13.
 double ggx(const torrance_sparrow_params& p, glm::dvec3 h)

@@ -6,8 +6,7 @@
 
 #include "reference/params.hpp"
 
-namespace gonio::reference
-{
+namespace gonio::reference {
 
 /// Ward 1992, eq. 5a, without its diffuse term: exp(-tan^2 delta (cos^2 phi / alpha_x^2 + sin^2 phi
 /// / alpha_y^2)).

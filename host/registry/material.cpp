@@ -11,10 +11,8 @@
 
 #include "gonio/errors.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 std::vector<std::string_view> parameter_names(const Model& model)
 {

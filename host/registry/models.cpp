@@ -4,10 +4,8 @@
 
 #include <algorithm>
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 // The macros walk through a block in its order, so that each line adds to what the line before has
 // opened.

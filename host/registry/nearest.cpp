@@ -8,10 +8,8 @@
 
 #include "gonio/model.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 /// Insertions, deletions and substitutions between two words (Levenshtein 1966).
 std::size_t edit_distance(std::string_view a, std::string_view b)

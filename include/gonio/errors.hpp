@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace gonio
-{
+namespace gonio {
 
 /// A failure at run time: a full disk, an unreadable table, a budget that was not met. Exit code 1.
 struct RunError : std::runtime_error {

@@ -12,8 +12,7 @@
 
 #include "gonio/model.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 inline constexpr std::size_t max_channels = 4;
 

@@ -8,8 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gonio
-{
+namespace gonio {
 
 /// What a model or one of its options is; OR-ed together.
 enum Traits : unsigned {

@@ -10,8 +10,7 @@
 #include <variant>
 #include <vector>
 
-namespace gonio
-{
+namespace gonio {
 
 /// Where a value sits on its axis: in the middle of a cell, or on a node (the first and last node
 /// are the end points).
@@ -63,8 +62,7 @@ struct Rows {
 /// Writes a table to a temporary file beside `path`; nothing is visible under `path` before
 /// finish(). Rows come in ascending order, each exactly once. The destructor removes what was not
 /// finished.
-class TableWriter
-{
+class TableWriter {
 public:
     virtual ~TableWriter() = default;
     virtual void write(const Rows<float>& rows) = 0;
