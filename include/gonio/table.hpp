@@ -16,7 +16,7 @@ namespace gonio {
 /// are the end points).
 enum class Samples { centre, node };
 
-/// One axis of a table. `values` are the sample positions in `unit`, strictly monotonic.
+/// One axis of a table. `values` are the sample positions in `unit`, finite and strictly monotonic.
 struct Axis {
     std::string name;
     std::string unit;
@@ -28,19 +28,21 @@ using Attribute = std::variant<double, std::string, std::vector<double>>;
 
 /// Everything about a table but its values. Axes run from the outermost to the innermost (fastest).
 /// A row is one run of the innermost axis; rows are counted in row-major order of the other axes.
+/// Names are unique and free of commas, quotes and control characters; attribute numbers are finite
+/// (writers refuse others with a UsageError).
 struct TableHeader {
     std::string quantity;  ///< a name of quantities.inc
     std::string unit;      ///< unit of the values, e.g. "1/sr"
     std::vector<Axis> axes;
     std::vector<std::string> channels;  ///< e.g. "R", "G", "B", or "Y" if there is one
-    std::size_t sweep_axes = 0;         ///< how many leading axes are swept parameters
+    std::size_t sweep_axes = 0;         ///< how many leading axes are swept; never the innermost
     bool single_precision = true;       ///< float32 values; else float64
     std::vector<std::pair<std::string, Attribute>> attributes;  ///< in the order they are written
 
     std::size_t row_length() const;  ///< values in a row
-    std::size_t rows() const;        ///< rows of one channel
-    std::size_t cells() const;       ///< rows() * row_length()
-    const Attribute* find(const std::string& name) const;
+    std::size_t rows() const;        ///< rows of one channel; UsageError if they cannot be counted
+    std::size_t cells() const;       ///< rows() * row_length(); UsageError as above
+    const Attribute* find(const std::string& name) const;  ///< nullptr if there is none
 };
 
 /// A whole table in memory. values[channel][row * row_length + column]; a standard error or an
