@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grid cell -> directions -> BRDF -> output, for a tile of rows. The program's first lines, written by the host, choose the grid
-// (GRID_FILE) and the material (see core/material.cl), and say which symmetries hold:
+// Grid cell -> directions -> BRDF -> output, for a tile of rows. The program's first lines, written by the host, include the
+// grid and choose the material (see core/material.cl); options say which symmetries hold:
 //   MIRROR      the columns are symmetric about their middle: half of them are computed and stored twice
 //   RECIPROCAL  rows (i, o) and (o, i) agree: where both are in the tile, one is computed and stored twice
-#ifndef GRID_FILE
-#define GRID_FILE "directions/spherical.cl"
+#ifndef GRID_ARGUMENTS
+#include "directions/spherical.cl"
 #endif
-#include GRID_FILE
 #include "core/material.cl"
 
 #ifndef MIRROR

@@ -14,12 +14,10 @@ struct HenyeyGreenstein {
 };
 
 /// The same in every direction.
-struct Isotropic {
-};
+struct Isotropic {};
 
 /// Rayleigh for unpolarised light: 3 (1 + cos^2) / (16 pi).
-struct Rayleigh {
-};
+struct Rayleigh {};
 
 /// weight_1 of Henyey-Greenstein with g_1, the rest of it with g_2.
 struct TwoTermHenyeyGreenstein {

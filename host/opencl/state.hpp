@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an opened device holds, for the code that talks to OpenCL.
+#pragma once
+
+#include <CL/opencl.hpp>
+#include <map>
+#include <string>
+
+#include "gonio/device.hpp"
+
+namespace gonio {
+
+struct Device::State {
+    DeviceInfo info;
+    unsigned width = 1;
+    cl::Device device;
+    cl::Context context;
+    cl::CommandQueue queue;                       ///< in order, with profiling
+    std::map<std::string, cl::Program> programs;  ///< by options and source
+};
+
+/// Text of an OpenCL status, e.g. "CL_OUT_OF_RESOURCES (-5)".
+std::string error_text(const cl::Error& error);
+
+}  // namespace gonio
