@@ -8,6 +8,7 @@
 
 #include "gonio/grid.hpp"
 #include "gonio/material.hpp"
+#include "gonio/scene.hpp"
 #include "gonio/table.hpp"
 
 namespace gonio {
@@ -22,10 +23,17 @@ struct Job {
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;
+    Where where;  ///< of the table in its scene
 };
 
-/// A text that is the same for two jobs exactly if their files have the same bytes: the program's
-/// version and everything above but the path. A finished table is recognised by it.
+/// The tables of a scene in its order, one job for each file. `directory` overrides the scene's
+/// unless it is empty. Throws UsageError for what the parts of the scene allow and their
+/// combination does not: an anisotropic material on a grid without a tangent frame, two files of
+/// one name.
+std::vector<Job> plan_jobs(const Scene& scene, const std::filesystem::path& directory = {});
+
+/// A text that is the same for two jobs exactly if their files have the same bytes. It is the
+/// header, which says all that determines them, the program's version included.
 std::string definition(const Job& job);
 
 }  // namespace gonio

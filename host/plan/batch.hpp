@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs jobs in order and keeps what an earlier run has finished.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "gonio/job.hpp"
+
+namespace gonio {
+
+/// Computes a job's table and writes it to job.path. Returns what happened (device, driver,
+/// timings) for the "run" of the sidecar.
+using MakeTable = std::function<nlohmann::ordered_json(const Job&)>;
+
+/// Is there a complete file with this job's definition? Files appear under their names only when
+/// they are complete.
+bool is_finished(const Job& job);
+
+struct BatchReport {
+    std::size_t made = 0, kept = 0;
+};
+
+/// Makes directories, removes what killed runs left behind, and makes every job that is not
+/// finished, with its sidecar. Throws UsageError before anything is computed if the tables do not
+/// fit onto the disk, RunError if a directory cannot be made, Interrupted between two jobs;
+/// whatever was finished is kept.
+BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make);
+
+}  // namespace gonio

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene: materials, and the tables asked of them. Everything in it is checked.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "gonio/grid.hpp"
+#include "gonio/layers.hpp"
+#include "gonio/material.hpp"
+#include "gonio/quantity.hpp"
+#include "gonio/table.hpp"
+
+namespace gonio {
+
+/// What messages about a part of a scene begin with: "file:line:column: ", empty if it came from no
+/// file.
+using Where = std::string;
+
+/// A parameter that takes several values: as an axis of one table, or with a table for each.
+struct Sweep {
+    std::size_t part = 0;  ///< which lobe or layer it belongs to
+    std::string parameter;
+    std::vector<double> values;  ///< distinct; strictly monotonic if it is an axis
+    bool axis = true;
+    Where where;
+};
+
+/// A model of skin by name, with its numbers.
+struct SkinRequest {
+    std::string model;
+    std::vector<std::pair<std::string, double>> parameters;
+};
+
+/// A material of a scene. What it is made of holds the first value of every sweep.
+struct SceneMaterial {
+    std::string name;
+    std::variant<std::vector<Lobe>, LayeredMedium, SkinRequest> made_of;
+    std::vector<Sweep> sweeps;  ///< those that are axes come from the outermost
+    Where where;
+};
+
+/// How exact, how long or how many: what is not set is not limited.
+struct Budget {
+    std::optional<double> max_error;  ///< relative
+    std::optional<double> seconds;
+    std::optional<std::uint64_t> photons;
+};
+
+/// How a table is stored.
+struct Storage {
+    std::string format = "exr";
+    WriteOptions write;
+};
+
+struct TableRequest {
+    std::string name;          ///< the stem of its file
+    std::size_t material = 0;  ///< index into Scene::materials
+    const Quantity* quantity = nullptr;
+    std::optional<Grid> grid;  ///< set exactly if quantity->on_grid
+    std::vector<Axis> axes;    ///< else the quantity's, from the outermost
+    std::string solver;        ///< one of quantity->solvers
+    Budget budget;
+    Storage storage;
+    Where where;
+};
+
+struct Scene {
+    std::filesystem::path directory = "tables";  ///< relative to where the program runs
+    std::vector<SceneMaterial> materials;
+    std::vector<TableRequest> tables;
+    std::vector<std::string> warnings;  ///< e.g. a material that no table names
+};
+
+/// Reads and checks a scene. Throws UsageError that begins with file:line:column and says what is
+/// wrong, what is allowed, and the nearest name.
+Scene load_scene(const std::filesystem::path& path);
+
+/// The same for a text; `file` is what messages call it.
+Scene parse_scene(std::string_view text, std::string_view file);
+
+}  // namespace gonio
