@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples on the horizon: nodes at exactly 90 degrees hold the limit if it is finite, else 0.
+#include "compute/horizon.hpp"
+
+#include <cmath>
+
+namespace gonio {
+
+bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::size_t channel)
+{
+    const auto [l, v] = unit_vectors(pair);
+    // Far below every scale of a regular model (roughness 1e-5), so that only a pole still changes
+    // between the two.
+    auto l_lower = l, v_lower = v;
+    if (pair.theta_i == 90) l_lower.z /= 10;
+    if (pair.theta_o == 90) v_lower.z /= 10;
+    const double higher = f(l, v, channel), lower = f(l_lower, v_lower, channel);
+    return std::abs(lower - higher) <= 1e-3 * std::abs(higher);
+}
+
+std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
+                        std::size_t first, std::size_t count, float* values)
+{
+    if (grid.kind == GridKind::rusinkiewicz) return 0;
+    const bool isotropic = grid.kind == GridKind::isotropic;
+    const std::vector<double> no_azimuth{0.0};
+    const std::vector<double>& theta_i = grid.axes[0].values;
+    const std::vector<double>& phi_i = isotropic ? no_azimuth : grid.axes[1].values;
+    const std::vector<double>& theta_o = grid.axes[isotropic ? 1 : 2].values;
+    const std::vector<double>& phi_o = grid.axes.back().values;
+    std::size_t poles = 0;
+    for (std::size_t r = 0; r < count; ++r) {
+        const std::size_t o = (first + r) % theta_o.size(), incoming = (first + r) / theta_o.size();
+        const double i = theta_i[incoming / phi_i.size()];
+        if (i != 90 && theta_o[o] != 90) continue;
+        for (std::size_t c = 0; c < channels; ++c)
+            for (std::size_t k = 0; k < phi_o.size(); ++k)
+                if (!has_limit_on_horizon(
+                        f, {i, phi_i[incoming % phi_i.size()], theta_o[o], phi_o[k]}, c)) {
+                    values[(c * count + r) * phi_o.size() + k] = 0;
+                    ++poles;
+                }
+    }
+    return poles;
+}
+
+}  // namespace gonio

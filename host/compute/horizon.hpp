@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Samples on the horizon: nodes at exactly 90 degrees hold the limit if it is finite, else 0.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gonio/grid.hpp"
+#include "gonio/material.hpp"
+
+namespace gonio {
+
+/// Does the model have a finite limit as the directions at 90 degrees approach the horizon? Told
+/// from the reference at two heights: a pole grows between them.
+bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::size_t channel);
+
+/// Sets cells of rows [first, first + count) without a finite limit to 0. values:
+/// [channel][row][column]. Returns how many.
+std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
+                        std::size_t first, std::size_t count, float* values);
+
+}  // namespace gonio

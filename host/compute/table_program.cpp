@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The specialised program of a material on a grid, and the parameters that it reads.
+#include "compute/table_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gonio {
+namespace {
+
+/// The program's first lines: core/material.cl says what they define.
+std::string preamble(const Material& material, const TableProgram& program)
+{
+    std::string includes = fmt::format("#include \"{}\"\n", program.grid_file);
+    std::string lobes, choices;
+    for (std::size_t k = 0; k < material.lobes.size(); ++k) {
+        const Lobe& lobe = material.lobes[k];
+        includes += fmt::format("#include \"brdf/{}.cl\"\n", lobe.model->id);
+        lobes += fmt::format(" LOBE({}, {}, {})", k, lobe.model->id,
+                             (lobe.traits() & VALUE) != 0 ? 1 : 0);
+        for (std::size_t p = 0; p < lobe.values.size(); ++p)
+            if (lobe.model->parameters[p].kind == Kind::choice)
+                choices += fmt::format("{}, ", lobe.values[p][0]);
+    }
+    return fmt::format("{}#define LOBES{}\n#define CHOICES {}0\n", includes, lobes, choices);
+}
+
+}  // namespace
+
+cl::Kernel table_kernel(Device::State& device, const Material& material,
+                        const TableProgram& program)
+{
+    const std::vector<std::string> definitions{
+        fmt::format("CHANNELS={}", material.channels()),
+        fmt::format("MEASURE={}", static_cast<int>(program.measure)),
+        fmt::format("ISOTROPIC={}", material.isotropic() ? 1 : 0),
+        fmt::format("MIRROR={}", program.mirrored ? 1 : 0),
+        fmt::format("RECIPROCAL={}", program.reciprocal ? 1 : 0)};
+    return {
+        build_program(device, preamble(material, program), "table.cl", definitions, program.width),
+        "table"};
+}
+
+std::vector<float> parameter_values(const Material& material)
+{
+    const std::size_t channels = material.channels();
+    std::vector<float> values;
+    for (const Lobe& lobe : material.lobes) {
+        for (std::size_t p = 0; p < lobe.values.size(); ++p) {
+            const Kind kind = lobe.model->parameters[p].kind;
+            if (kind == Kind::choice) continue;
+            for (std::size_t c = 0; c < (kind == Kind::color ? channels : 1); ++c)
+                values.push_back(static_cast<float>(lobe.number(p, c)));
+        }
+        for (std::size_t c = 0; c < channels; ++c)
+            values.push_back(static_cast<float>(lobe.weight[lobe.weight.size() == 1 ? 0 : c]));
+    }
+    return values;
+}
+
+}  // namespace gonio

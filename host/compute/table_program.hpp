@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The specialised program of a material on a grid, and the parameters that it reads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gonio/material.hpp"
+#include "opencl/program.hpp"
+
+namespace gonio {
+
+/// What a table program is compiled for.
+struct TableProgram {
+    std::string grid_file;
+    Measure measure = Measure::brdf;
+    bool mirrored = false;    ///< columns symmetric about their middle
+    bool reciprocal = false;  ///< rows (i, o) and (o, i) agree
+    unsigned width = 1;
+};
+
+/// Builds kernel `table` for the lobes and choices of a material; their numbers stay arguments.
+cl::Kernel table_kernel(Device::State& device, const Material& material,
+                        const TableProgram& program);
+
+/// Parameters and weight of each lobe, in the order in which core/material.cl reads them.
+std::vector<float> parameter_values(const Material& material);
+
+}  // namespace gonio
