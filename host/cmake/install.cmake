@@ -19,7 +19,8 @@ if(TARGET gonio)
   find_program(HELP2MAN help2man)
   if(HELP2MAN)
     add_custom_command(OUTPUT gonio.1 DEPENDS gonio VERBATIM
-      COMMAND ${HELP2MAN} --no-info --name=${PROJECT_DESCRIPTION} --output=gonio.1 $<TARGET_FILE:gonio>)
+      COMMAND ${HELP2MAN} --no-info --name=${PROJECT_DESCRIPTION} --output=gonio.1
+              $<TARGET_FILE:gonio>)
     add_custom_target(gonio_manual ALL DEPENDS gonio.1)
     install(FILES ${CMAKE_BINARY_DIR}/gonio.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
   endif()

@@ -3,7 +3,7 @@
 """run_blocks.py README GONIO: runs the marked blocks of README in their order, in one new folder.
 
 A mark is a comment on the line before the fence:
-    <!-- test: run -->        sh, python or glsl: has to exit 0 (glsl: a fragment shader that compiles)
+    <!-- test: run -->        sh or python has to exit 0, glsl has to compile (a fragment shader)
     <!-- test: file NAME -->  is written to NAME, for the blocks after it
 In that folder build/gonio is the program, bench/ and tests/ are those of the project, and gonio is
 on the PATH.
