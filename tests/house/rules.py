@@ -105,6 +105,12 @@ def opencl_stays_inside(path, text):
         yield from matches(r"\b(cl)::", without_comments(text), "{}:: outside of host/opencl")
 
 
+def owners(path, text):
+    if path.endswith((".cpp", ".hpp")):
+        code = re.sub(r"= *delete\b", "", without_comments(text))
+        yield from matches(r"\b(new|delete|malloc|free)\b *[\w(\[]", code, "{}: an owner is an object")
+
+
 def models(root):
     """Every block of models.inc has its kernel and its reference, every kernel its block."""
     registry = root / "include/gonio/shared/models.inc"
@@ -124,7 +130,7 @@ def models(root):
             yield path.relative_to(root).as_posix(), 1, f"no block MODEL({path.stem}, …)"
 
 
-FILE_RULES = (head, layout, kernel_arithmetic, includes, opencl_stays_inside)
+FILE_RULES = (head, layout, kernel_arithmetic, includes, opencl_stays_inside, owners)
 
 
 def breaches(root):

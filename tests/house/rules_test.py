@@ -87,6 +87,12 @@ class FileRules(unittest.TestCase):
         self.assertEqual(found(rule, "host/plan/a.cpp", "// cl::Buffer"), [])
         self.assertEqual(found(rule, "host/opencl/a.cpp", "cl::Buffer b;"), [])
 
+    def test_owners(self):
+        for code in "p = new int(3);", "delete p;", "delete[] p;", "free(p)", "malloc(3)":
+            self.assertEqual(found(rules.owners, "host/a.cpp", code), [1], code)
+        for code in "a(const a&) = delete;", "// a new file", "renew(p)", "make_unique<int>(3)":
+            self.assertEqual(found(rules.owners, "host/a.cpp", code), [], code)
+
 
 class TreeRules(unittest.TestCase):
     def tree(self, *files):
