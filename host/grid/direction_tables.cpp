@@ -108,7 +108,8 @@ DirectionTables rusinkiewicz_tables(const Grid& grid)
         for (const double theta_d : grid.axes[1].values) {
             const PolarAngle h(theta_h), d(theta_d);
             const double cos_cos = h.cosine * d.cosine, sin_sin = h.sine * d.sine;
-            const double cos_2d = cosine_of_degrees(2 * theta_d), tan_h = h.sine / h.cosine;
+            const double tan_h = h.sine / h.cosine;
+            const double along = h.sine * d.cosine, fixed_cos_r = 1 - 2 * along * along;
             record[half_sin_h] = high_part(h.sine);
             record[half_cos_h] = high_part(h.cosine);
             record[half_sin_d] = high_part(d.sine);
@@ -118,8 +119,8 @@ DirectionTables rusinkiewicz_tables(const Grid& grid)
             record[half_cos_cos_lo] = low_part(cos_cos);
             record[half_sin_sin_hi] = high_part(sin_sin);
             record[half_sin_sin_lo] = low_part(sin_sin);
-            record[half_cos_2d_hi] = high_part(cos_2d);
-            record[half_cos_2d_lo] = low_part(cos_2d);
+            record[half_fixed_cos_r_hi] = high_part(fixed_cos_r);
+            record[half_fixed_cos_r_lo] = low_part(fixed_cos_r);
             record += half_fields;
         }
     const std::vector<double>& phi_d = grid.axes[2].values;
@@ -167,9 +168,7 @@ DirectionTables direction_tables(const std::vector<DirectionPair>& points)
         put(point_cos2_d, polar.cos2_half_sum + polar.sin_sin * azimuth.cos2_half);
         put(point_sin2_d, polar.sin2_half_difference + polar.sin_sin * azimuth.sin2_half);
         put(point_mirror, 2 * (polar.sin2_half_difference + polar.sin_sin * azimuth.cos2_half));
-        const double cos_r = polar.cos_cos - polar.sin_sin * azimuth.cosine;
-        put(point_cos_r_hi, cos_r);
-        table[point_cos_r_lo * length + k] = low_part(cos_r);
+        put(point_cos_r, polar.cos_cos - polar.sin_sin * azimuth.cosine);
         put(point_azimuth, polar.sin_sin * azimuth.cosine);
         put(point_slope_x, (l.x + v.x) / (l.z + v.z));
         put(point_slope_y, (l.y + v.y) / (l.z + v.z));

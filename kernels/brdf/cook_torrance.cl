@@ -5,9 +5,8 @@
 
 static inline void cook_torrance_eval(const cook_torrance_params *p, const directions *d, real f[CHANNELS])
 {
-    const real cos_d = sqrt(d->cos2_d);
-    const real cos_h = R(1.0) / sqrt(R(1.0) + d->tan2_h);
     const real q = d->tan2_h * (R(1.0) / (p->m * p->m));
-    const real lobe = beckmann_distribution(q, d->tan2_h, p->m, p->m) * v_cavity_visibility(d, cos_h, cos_d);
+    const real lobe = beckmann_distribution(d, q, p->m, p->m) * v_cavity_visibility(d);
+    const real cos_d = sqrt(d->cos2_d);
     FOR_CHANNELS(c) f[c] = lobe * FACET_REFLECTANCE(cook_torrance, p, c, cos_d);
 }

@@ -8,6 +8,7 @@ static inline void oren_nayar_eval(const oren_nayar_params *p, const directions 
     const float sigma2 = p->sigma * p->sigma;
     const float a = R(1.0) - R(0.5) * sigma2 / (sigma2 + R(0.33));
     const float b = R(0.45) * sigma2 / (sigma2 + R(0.09));
-    const real lobe = a + b * max(d->azimuth, (real)(R(0.0))) / max(d->cos_i, d->cos_o);
-    FOR_CHANNELS(c) f[c] = p->rho[c] * lobe / PI;
+    const real scale = b / max(d->cos_i, d->cos_o);
+    const real lobe = (a + scale * max(d->azimuth, (real)(R(0.0)))) * (R(1.0) / PI);
+    FOR_CHANNELS(c) f[c] = p->rho[c] * lobe;
 }

@@ -3,18 +3,17 @@
 #include "core/lobe.cl"
 
 /// log(r.v) where r.v > 0, from whichever form is exact there.
+/// log(r.v) where r.v > 0, from whichever form is exact there.
 static inline real log_of_cos_r(const directions *d)
 {
-    const two_floats near_mirror = two_sum((real)(R(1.0)), -d->mirror);
-    const mask_t near = less(d->mirror, (real)(R(0.5)));
-    const two_floats cos_r = {choose(near, near_mirror.hi, d->cos_r.hi), choose(near, near_mirror.lo, d->cos_r.lo)};
-    return log_of_two_floats(cos_r);
+    const mask_t near_mirror = less(d->mirror, (real)(R(0.5)));
+    return log_of_sum(choose(near_mirror, (real)(R(1.0)), (real)(R(0.0))), choose(near_mirror, -d->mirror, d->cos_r));
 }
 
 static inline void phong_eval(const phong_params *p, const directions *d, real f[CHANNELS])
 {
     const float norm = (p->exponent + R(2.0)) / (R(2.0) * PI);
     const real power = exp_of_negative(-p->exponent * log_of_cos_r(d));
-    const real lobe = choose(less((real)(R(0.0)), d->cos_r.hi), norm * power, (real)(R(0.0)));
+    const real lobe = choose(less((real)(R(0.0)), d->cos_r), norm * power, (real)(R(0.0)));
     FOR_CHANNELS(c) f[c] = p->rho_s[c] * lobe;
 }

@@ -7,15 +7,15 @@
 
 /// Walter et al., EGSR 2007, eq. 33, with alpha_x, alpha_y: q is the stretched slope of h squared. Bounded at grazing half
 /// vectors, where tan^2 overflows when it is squared.
-static inline real ggx_distribution(real q, real tan2_h, float alpha_x, float alpha_y)
+static inline real ggx_distribution(const directions *d, real q, float alpha_x, float alpha_y)
 {
-    return R(1.0) / (PI * alpha_x * alpha_y * square((R(1.0) + q) / (R(1.0) + tan2_h)));
+    return (R(1.0) / (PI * alpha_x * alpha_y)) * square(d->sec2_h / (R(1.0) + q));
 }
 
 /// Beckmann & Spizzichino 1963; Walter et al. 2007, eq. 25.
-static inline real beckmann_distribution(real q, real tan2_h, float alpha_x, float alpha_y)
+static inline real beckmann_distribution(const directions *d, real q, float alpha_x, float alpha_y)
 {
-    return exp_of_negative(q) * (R(1.0) + tan2_h) * (R(1.0) + tan2_h) / (PI * alpha_x * alpha_y);
+    return exp_of_negative(q) * (R(1.0) / (PI * alpha_x * alpha_y)) * d->sec2_h * d->sec2_h;
 }
 
 /// G2 / (4 cos_i cos_o) for GGX with height-correlated masking (Heitz, JCGT 3(2), 2014, eq. 99), multiplied out so that
@@ -42,11 +42,12 @@ static inline real beckmann_visibility(real p_i, real p_o, real cos_i, real cos_
 }
 
 /// G / (4 cos_i cos_o) of symmetric V-shaped grooves (Torrance & Sparrow 1967; Cook & Torrance 1982):
-/// G = min(1, 2 cos_h cos_i / cos_d, 2 cos_h cos_o / cos_d).
-static inline real v_cavity_visibility(const directions *d, real cos_h, real cos_d)
+/// G = min(1, 2 cos_h cos_i / cos_d, 2 cos_h cos_o / cos_d), with cos_h cos_d = mean_cos.
+static inline real v_cavity_visibility(const directions *d)
 {
     const real open = R(0.25) / (d->cos_i * d->cos_o);
-    return min(open, R(0.5) * cos_h / (cos_d * max(d->cos_i, d->cos_o)));
+    const real blocked = R(0.5) * d->mean_cos / max(d->cos_i, d->cos_o);
+    return min(open, blocked / d->cos2_d);
 }
 
 #endif

@@ -19,12 +19,9 @@
 
 #if WIDTH == 1
 typedef float real;
-typedef int mask_t;
-typedef uint bits_t;
+typedef int mask_t;  ///< also the integer of the same width
 #define LESS(a, b) (-(int)((a) < (b)))
-#define to_int convert_int
-#define to_real convert_float
-#define as_bits as_uint
+#define bits_of as_int
 #define as_real as_float
 static inline real choose(mask_t mask, real yes, real no) { return mask ? yes : no; }
 static inline real load(global const float *from) { return *from; }
@@ -33,11 +30,8 @@ static inline real reversed(real value) { return value; }
 #else
 typedef JOIN(float, WIDTH) real;
 typedef JOIN(int, WIDTH) mask_t;
-typedef JOIN(uint, WIDTH) bits_t;
 #define LESS(a, b) ((a) < (b))
-#define to_int JOIN(convert_int, WIDTH)
-#define to_real JOIN(convert_float, WIDTH)
-#define as_bits JOIN(as_uint, WIDTH)
+#define bits_of JOIN(as_int, WIDTH)
 #define as_real JOIN(as_float, WIDTH)
 static inline real choose(mask_t mask, real yes, real no) { return select(no, yes, mask); }
 static inline real load(global const float *from) { return JOIN(vload, WIDTH)(0, from); }
@@ -64,15 +58,6 @@ typedef struct {
     real hi, lo;
 } two_floats;
 
-/// a + b, exact (Knuth, TAOCP 2, 4.2.2, theorem B).
-static inline two_floats two_sum(real a, real b)
-{
-    const real sum = a + b;
-    const real rest = sum - a;
-    const two_floats result = {sum, (a - (sum - rest)) + (b - rest)};
-    return result;
-}
-
 /// a b, to about 2^-46 relative.
 static inline two_floats two_floats_product(two_floats a, two_floats b)
 {
@@ -81,17 +66,11 @@ static inline two_floats two_floats_product(two_floats a, two_floats b)
     return result;
 }
 
-/// a + sign b, to about 2^-46 of the larger one.
-static inline two_floats two_floats_sum(two_floats a, two_floats b)
-{
-    const two_floats sum = two_sum(a.hi, b.hi);
-    return two_sum(sum.hi, sum.lo + (a.lo + b.lo));
-}
+/// a + b, to about an ulp. Where the sum cancels, a.hi + b.hi is exact (Sterbenz 1974) and the low parts give the digits; where
+/// it does not, the low parts do not matter.
+static inline real two_floats_sum(two_floats a, two_floats b) { return (a.hi + b.hi) + (a.lo + b.lo); }
 
-static inline two_floats negated(two_floats a)
-{
-    const two_floats result = {-a.hi, -a.lo};
-    return result;
-}
+/// a - b, likewise.
+static inline real two_floats_difference(two_floats a, two_floats b) { return (a.hi - b.hi) + (a.lo - b.lo); }
 
 #endif

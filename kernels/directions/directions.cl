@@ -12,10 +12,12 @@
 typedef struct {
     real cos_i, cos_o;      ///< n.l, n.v
     real sin_i, sin_o;
+    real mean_cos;          ///< (cos_i + cos_o)/2, which is cos theta_h cos theta_d
     real tan2_h;            ///< tan^2 of the angle between n and the half vector h
+    real sec2_h;            ///< 1 + tan2_h
     real cos2_d, sin2_d;    ///< of the angle between h and l
     real mirror;            ///< 1 - r.v with r the mirror direction of l: exact where r.v is near 1
-    two_floats cos_r;       ///< r.v: exact where it is near 0
+    real cos_r;             ///< r.v: exact where it is near 0
     real azimuth;           ///< sin_i sin_o cos(phi_o - phi_i), the tangential part of l.v
 #if !ISOTROPIC
     real slope_x, slope_y;  ///< h.x / h.n, h.y / h.n

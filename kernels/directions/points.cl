@@ -27,12 +27,13 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     d.cos_o = POINT_FIELD(cos_o);
     d.sin_i = POINT_FIELD(sin_i);
     d.sin_o = POINT_FIELD(sin_o);
+    d.mean_cos = R(0.5) * (d.cos_i + d.cos_o);
     d.tan2_h = POINT_FIELD(tan2_h);
+    d.sec2_h = R(1.0) + d.tan2_h;
     d.cos2_d = POINT_FIELD(cos2_d);
     d.sin2_d = POINT_FIELD(sin2_d);
     d.mirror = POINT_FIELD(mirror);
-    d.cos_r.hi = POINT_FIELD(cos_r_hi);
-    d.cos_r.lo = POINT_FIELD(cos_r_lo);
+    d.cos_r = POINT_FIELD(cos_r);
     d.azimuth = POINT_FIELD(azimuth);
 #if !ISOTROPIC
     d.slope_x = POINT_FIELD(slope_x);

@@ -39,10 +39,9 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     const two_floats cos_cos = {ROW_FIELD(cos_cos_hi), ROW_FIELD(cos_cos_lo)};
     const two_floats sin_sin = {ROW_FIELD(sin_sin_hi), ROW_FIELD(sin_sin_lo)};
     const two_floats swing = two_floats_product(sin_sin, cos_phi);
-    const two_floats cos_i = two_floats_sum(cos_cos, negated(swing));
-    const two_floats cos_o = two_floats_sum(cos_cos, swing);
-    d.cos_i = cos_i.hi;
-    d.cos_o = cos_o.hi;
+    d.cos_i = two_floats_difference(cos_cos, swing);
+    d.cos_o = two_floats_sum(cos_cos, swing);
+    d.mean_cos = cos_cos.hi;
 
     // l and v = (sin_h cos_d +- cos_h sin_d cos phi_d, +- sin_d sin phi_d) in the tangent plane.
     const real along = sin_h * cos_d;
@@ -51,14 +50,15 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     d.sin_i = sqrt(square(along + swing_x) + square(swing_y));
     d.sin_o = sqrt(square(along - swing_x) + square(swing_y));
     d.tan2_h = ROW_FIELD(tan2_h);
+    d.sec2_h = R(1.0) + d.tan2_h;
     d.cos2_d = square(cos_d);
     d.sin2_d = square(sin_d);
-    // 1 - r.v = 2 sin^2 theta_h (cos^2 theta_d + sin^2 theta_d cos^2 phi_d), and r.v = 2 (n.l)(n.v) - cos 2 theta_d.
+    // 1 - r.v = 2 sin^2 theta_h (cos^2 theta_d + sin^2 theta_d cos^2 phi_d), and
+    // r.v = 2 (n.l)(n.v) - cos 2 theta_d = (1 - 2 sin^2 theta_h cos^2 theta_d) - 2 (sin_h sin_d cos phi_d)^2.
     d.mirror = R(2.0) * square(sin_h) * (square(cos_d) + square(sin_d * cos_phi.hi));
-    const two_floats product = two_floats_product(cos_i, cos_o);
-    const two_floats twice = {R(2.0) * product.hi, R(2.0) * product.lo};
-    const two_floats cos_2d = {ROW_FIELD(cos_2d_hi), ROW_FIELD(cos_2d_lo)};
-    d.cos_r = two_floats_sum(twice, negated(cos_2d));
+    const two_floats fixed = {ROW_FIELD(fixed_cos_r_hi), ROW_FIELD(fixed_cos_r_lo)};
+    const two_floats twice_swing = {R(2.0) * swing.hi, R(2.0) * swing.lo};
+    d.cos_r = two_floats_difference(fixed, two_floats_product(twice_swing, swing));
     d.azimuth = square(along) - (square(swing_x) + square(swing_y));
 #if !ISOTROPIC
     d.slope_x = sqrt(d.tan2_h);

@@ -48,10 +48,13 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     // tan^2 theta_h = tan^2(d/2) sin^2(delta/2) + tan^2(S/2) cos^2(delta/2), and likewise for the others.
     d.tan2_h = ROW_FIELD(tan2_half_difference) * sin2_half + ROW_FIELD(tan2_half_sum) * cos2_half;
     d.cos2_d = ROW_FIELD(cos2_half_sum) + sin_sin.hi * cos2_half;
+    // cos theta_h cos theta_d = (cos_i + cos_o)/2, since l + v = 2 cos theta_d h: no division in the loop.
+    d.mean_cos = R(0.5) * (d.cos_i + d.cos_o);
+    d.sec2_h = d.cos2_d * (R(1.0) / square(d.mean_cos));
     d.sin2_d = ROW_FIELD(sin2_half_difference) + sin_sin.hi * sin2_half;
     d.mirror = R(2.0) * (ROW_FIELD(sin2_half_difference) + sin_sin.hi * cos2_half);
     d.azimuth = sin_sin.hi * cos_delta.hi;
-    d.cos_r = two_floats_sum(cos_cos, negated(two_floats_product(sin_sin, cos_delta)));
+    d.cos_r = two_floats_difference(cos_cos, two_floats_product(sin_sin, cos_delta));
 #if !ISOTROPIC
     const two_floats x_i = {(real)(row->tangent_in[tangent_x_hi]), (real)(row->tangent_in[tangent_x_lo])};
     const two_floats y_i = {(real)(row->tangent_in[tangent_y_hi]), (real)(row->tangent_in[tangent_y_lo])};
@@ -59,9 +62,9 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     const two_floats x_o = {TANGENT_FIELD(x_hi), TANGENT_FIELD(x_lo)};
     const two_floats y_o = {TANGENT_FIELD(y_hi), TANGENT_FIELD(y_lo)};
 #undef TANGENT_FIELD
-    const real cos_sum = d.cos_i + d.cos_o;
-    d.slope_x = two_floats_sum(x_i, x_o).hi / cos_sum;
-    d.slope_y = two_floats_sum(y_i, y_o).hi / cos_sum;
+    const real scale = R(1.0) / (d.cos_i + d.cos_o);
+    d.slope_x = two_floats_sum(x_i, x_o) * scale;
+    d.slope_y = two_floats_sum(y_i, y_o) * scale;
     d.x_i = x_i.hi;
     d.y_i = y_i.hi;
     d.x_o = x_o.hi;

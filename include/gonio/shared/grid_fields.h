@@ -39,8 +39,8 @@ enum half_field {
     half_cos_cos_lo,
     half_sin_sin_hi,
     half_sin_sin_lo,
-    half_cos_2d_hi,
-    half_cos_2d_lo,
+    half_fixed_cos_r_hi,
+    half_fixed_cos_r_lo,
     half_fields
 };
 
@@ -57,8 +57,7 @@ enum point_field {
     point_cos2_d,
     point_sin2_d,
     point_mirror,
-    point_cos_r_hi,
-    point_cos_r_lo,
+    point_cos_r,
     point_azimuth,
     point_slope_x,
     point_slope_y,
