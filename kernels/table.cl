@@ -14,9 +14,6 @@
 #ifndef RECIPROCAL
 #define RECIPROCAL 0
 #endif
-#ifndef HORIZON
-#define HORIZON 0
-#endif
 
 /// out: [channel][row of the tile][column]. Dimension 0 of the work shares columns, dimension 1 rows. length: columns, at least
 /// WIDTH (twice that with MIRROR): a row's last vector overlaps its neighbour instead of passing the end.
@@ -48,8 +45,9 @@ kernel void table(global float *restrict out, global const float *restrict param
             evaluate_material(&m, &d, f);
             FOR_CHANNELS(c)
             {
-#if HORIZON
-                f[c] = choose(less((real)(R(0.0)), d.cos_i) & less((real)(R(0.0)), d.cos_o), f[c], (real)(R(0.0)));
+#ifdef HORIZON
+                const mask_t above = less((real)(HORIZON), d.cos_i) & less((real)(HORIZON), d.cos_o);
+                f[c] = choose(above, f[c], (real)(R(0.0)));
 #endif
                 global float *to = out + (c * row_count + r) * length;
                 store(f[c], to + at);

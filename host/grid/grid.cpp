@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "gonio/errors.hpp"
 #include "grid/angles.hpp"
 
@@ -23,8 +25,9 @@ std::pair<glm::dvec3, glm::dvec3> rusinkiewicz_vectors(double theta_h, double th
     const double sin_h = sine_of_degrees(theta_h), cos_h = cosine_of_degrees(theta_h);
     const double sin_d = sine_of_degrees(theta_d), cos_d = cosine_of_degrees(theta_d);
     const double x = sin_d * cosine_of_degrees(phi_d), y = sin_d * sine_of_degrees(phi_d);
-    return {{sin_h * cos_d + cos_h * x, y, cos_h * cos_d - sin_h * x},
-            {sin_h * cos_d - cos_h * x, -y, cos_h * cos_d + sin_h * x}};
+    const auto above = [](double z) { return z > rusinkiewicz_horizon ? z : std::min(z, 0.0); };
+    return {{sin_h * cos_d + cos_h * x, y, above(cos_h * cos_d - sin_h * x)},
+            {sin_h * cos_d - cos_h * x, -y, above(cos_h * cos_d + sin_h * x)}};
 }
 
 }  // namespace

@@ -48,7 +48,10 @@ struct DirectionPair {
 /// the horizon, so that a model's limit there can be told from its pole.
 std::pair<glm::dvec3, glm::dvec3> unit_vectors(const DirectionPair& pair);
 
-/// The same for cell (row, column) of a grid; a direction below the horizon has z < 0.
+/// Directions of a Rusinkiewicz grid with a cosine up to here count as below the horizon: f is 0 there.
+inline constexpr double rusinkiewicz_horizon = 1e-7;
+
+/// The same for cell (row, column) of a grid. Below the horizon of a Rusinkiewicz grid z is 0 or less.
 std::pair<glm::dvec3, glm::dvec3> unit_vectors(const Grid& grid, std::size_t row,
                                                std::size_t column);
 

@@ -24,8 +24,8 @@ static inline real fresnel_dielectric(float eta, real c)
     return choose(less((real)(R(0.0)), g2), f, (real)(R(1.0)));
 }
 
-/// Born & Wolf 14.2: u + i v is the complex cosine inside times the index, u v = eta k. c - u is written as (c^2 - u^2)/(c + u)
-/// with u^2 - v^2 = eta^2 - k^2 - sin^2, and the smaller one of u, v follows from the larger.
+/// Born & Wolf 14.2: u + i v is the complex cosine inside times the index, u v = eta k and u^2 - v^2 = eta^2 - k^2 - sin^2; the
+/// smaller one of u, v follows from the larger. Where u is the larger, it may be near c: there c - u = (c^2 - u^2)/(c + u).
 static inline real fresnel_conductor(float eta, float k, real c)
 {
     const float excess = (eta - R(1.0)) * (eta + R(1.0)) - k * k;
@@ -36,7 +36,7 @@ static inline real fresnel_conductor(float eta, float k, real c)
     const mask_t transparent = less((real)(R(0.0)), difference);
     const real u = choose(transparent, larger, smaller);
     const real v = choose(transparent, smaller, larger);
-    const real c_minus_u = -(excess + v * v) / (c + u);
+    const real c_minus_u = choose(transparent, -(excess + v * v) / (c + u), c - u);
     const real s = (square(c_minus_u) + v * v) / (square(c + u) + v * v);
     const real t3 = (excess + R(1.0)) * c;
     const real t4 = R(2.0) * eta * k * c;

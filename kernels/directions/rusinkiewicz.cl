@@ -6,7 +6,8 @@
 #include "directions/directions.cl"
 #include "gonio/shared/grid_fields.h"
 
-#define HORIZON 1
+/// Cosines up to here count as below the horizon: rusinkiewicz_horizon of gonio/grid.hpp.
+#define HORIZON R(1e-7)
 
 #define GRID_ARGUMENTS global const float *restrict half_table, global const float *restrict difference_table
 #define GRID_VALUES half_table, difference_table

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model is verified on: parameters and directions, random and extreme. The same every time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gonio/grid.hpp"
+#include "gonio/material.hpp"
+
+namespace gonio {
+
+/// Every combination of options, each with the defaults, every parameter at both ends of its range, and `count` random sets.
+std::vector<Material> verification_materials(const Model& model, std::size_t count);
+
+/// Angles from exactly normal to cos theta = 1e-6, pairs at the mirror direction, next to it and at retro-reflection, and
+/// `count` random ones, on a grid that fits the material.
+Grid verification_grid(const Material& material, std::size_t count);
+
+/// Half vectors from 1e-6 degrees to grazing.
+Grid verification_half_grid(std::size_t count);
+
+/// The same kinds of pairs as a list.
+std::vector<DirectionPair> verification_pairs(std::size_t count);
+
+/// "form = ward_1992, alpha_x = 1e-05, ..."
+std::string parameter_text(const Lobe& lobe);
+
+}  // namespace gonio
