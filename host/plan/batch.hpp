@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "gonio/job.hpp"
+#include "plan/progress.hpp"
 
 namespace gonio {
 
-/// Computes a job's table and writes it to job.path. Returns what happened (device, driver,
-/// timings) for the "run" of the sidecar.
-using MakeTable = std::function<nlohmann::ordered_json(const Job&)>;
+/// Computes a job's table and writes it to job.path; advances the progress by every value (cells
+/// times channels). Returns what happened (device, driver, timings) for the "run" of the sidecar.
+using MakeTable = std::function<nlohmann::ordered_json(const Job&, Progress&)>;
 
 /// Is there a complete file with this job's definition? Files appear under their names only when
 /// they are complete.

@@ -23,9 +23,6 @@ public:
     /// That much work is done, in the unit of the total.
     void advance(double amount);
 
-    /// Work that need not be done after all: it does not count as speed.
-    void skip(double amount);
-
 private:
     using Clock = std::chrono::steady_clock;
 
@@ -37,7 +34,6 @@ private:
     bool colour_;
     double total_;
     double done_ = 0;
-    double skipped_ = 0;
     std::string label_;
     Clock::time_point start_;
     Clock::time_point shown_;

@@ -12,11 +12,16 @@ namespace gonio {
 enum class Substance { surface, layers };
 
 struct Quantity {
+    struct AxisName {
+        std::string_view name, unit;
+    };
+
     std::string_view id, title, unit;
     Substance of;
-    bool on_grid;                           ///< over a grid of direction pairs
-    std::vector<std::string_view> axes;     ///< else over these, from the outermost
+    std::vector<AxisName> axes;             ///< from the outermost
     std::vector<std::string_view> solvers;  ///< that can give it; "auto" takes the first that fits
+
+    bool on_grid() const;  ///< over a grid of direction pairs instead of axes of its own
 };
 
 const std::vector<Quantity>& quantities();

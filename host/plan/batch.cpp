@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes what is not finished, and keeps the rest.
+#include "plan/batch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+#include "gonio/errors.hpp"
+#include "output/atomic_file.hpp"
+#include "output/sidecar.hpp"
+#include "output/table_json.hpp"
+#include "plan/estimate.hpp"
+#include "plan/interrupt.hpp"
+
+namespace gonio {
+namespace {
+
+/// Makes the folders that the jobs write to, without leftovers.
+void prepare_directories(const std::vector<Job>& jobs)
+{
+    std::set<std::filesystem::path> directories;
+    for (const Job& job : jobs) directories.insert(job.path.parent_path());
+    for (const auto& directory : directories) {
+        std::error_code refused;
+        std::filesystem::create_directories(directory, refused);
+        if (refused)
+            throw RunError(
+                fmt::format("{}: cannot be made: {}", directory.string(), refused.message()));
+        remove_stale_temporaries(directory);
+    }
+}
+
+}  // namespace
+
+bool is_finished(const Job& job)
+{
+    if (!std::filesystem::is_regular_file(job.path)) return false;
+    try {
+        return text_of(to_json(read_header(job.path))) == definition(job);
+    } catch (const RunError&) {
+        return false;
+    } catch (const UsageError&) {
+        return false;
+    }
+}
+
+BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make)
+{
+    std::vector<Job> unfinished;
+    std::ranges::remove_copy_if(jobs, std::back_inserter(unfinished), is_finished);
+    check_disk(unfinished);
+    prepare_directories(unfinished);
+    double values = 0;
+    for (const Job& job : unfinished) values += static_cast<double>(estimate(job, 1).values);
+    Progress progress(values);
+    for (const Job& job : unfinished) {
+        throw_if_interrupted();
+        progress.begin(job.name);
+        const auto run = make(job, progress);
+        write_sidecar(job.path, job.header, run);
+    }
+    return {unfinished.size(), jobs.size() - unfinished.size()};
+}
+
+}  // namespace gonio

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes a job's parameters and conventions into its header.
+#include "plan/header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "output/table_json.hpp"
+#include "version.hpp"
+
+namespace gonio {
+namespace {
+
+/// The parameters that a name stands for: two for a common name.
+std::vector<std::string> parameters_of(const Model& model, const std::string& name)
+{
+    const auto both = std::ranges::find(model.both, name, &Both::alias);
+    if (both == model.both.end()) return {name};
+    return {std::string(both->first), std::string(both->second)};
+}
+
+Attribute attribute(const std::vector<double>& numbers)
+{
+    if (numbers.size() == 1) return numbers.front();
+    return numbers;
+}
+
+/// Adds the attributes of one header one by one.
+class Attributes {
+public:
+    void add(const std::string& name, Attribute value)
+    {
+        all_.emplace_back(name, std::move(value));
+    }
+
+    /// Everything about a lobe but its swept parameters.
+    void add(const Lobe& lobe, const std::string& prefix, const std::set<std::string>& swept)
+    {
+        const Model& model = *lobe.model;
+        add(prefix + "model", std::string(model.id));
+        add(prefix + "citation", std::string(model.citation));
+        if (!swept.contains("weight") && (!prefix.empty() || lobe.weight != std::vector{1.0}))
+            add(prefix + "weight", attribute(lobe.weight));
+        for (std::size_t k = 0; k < model.parameters.size(); ++k) {
+            const Parameter& parameter = model.parameters[k];
+            const auto name = prefix + std::string(parameter.name);
+            if (swept.contains(std::string(parameter.name))) continue;
+            if (parameter.kind == Kind::choice) {
+                const auto option = static_cast<std::size_t>(lobe.values[k].front());
+                add(name, std::string(parameter.options[option].name));
+                continue;
+            }
+            add(name, attribute(lobe.values[k]));
+            if (parameter.unit != "1") add(name + ".unit", std::string(parameter.unit));
+        }
+    }
+
+    std::vector<std::pair<std::string, Attribute>> all() { return std::move(all_); }
+
+private:
+    std::vector<std::pair<std::string, Attribute>> all_;
+};
+
+std::string grid_name(GridKind kind)
+{
+    switch (kind) {
+        case GridKind::isotropic:
+            return "isotropic";
+        case GridKind::anisotropic:
+            return "anisotropic";
+        default:
+            return "rusinkiewicz";
+    }
+}
+
+std::string directions_text(GridKind kind)
+{
+    switch (kind) {
+        case GridKind::isotropic:
+            return "normal +z; light at (theta_i, azimuth 0), viewer at (theta_o, azimuth "
+                   "delta_phi): "
+                   "delta_phi = 180 deg is the mirror direction";
+        case GridKind::anisotropic:
+            return "normal +z, tangent +x; light at (theta_i, phi_i), viewer at (theta_o, phi_o), "
+                   "azimuths from +x towards +y";
+        default:
+            return "normal +z; half vector at (theta_h, azimuth 0), light at (theta_d, phi_d) in "
+                   "its "
+                   "frame (Rusinkiewicz, EGWR 1998); 0 where light or viewer is below the horizon";
+    }
+}
+
+/// Cells of a grid of angles theta_i and theta_o with one of them at exactly 90 deg.
+std::size_t cells_at_the_horizon(const Grid& grid)
+{
+    std::size_t cells = 1, above = 1;
+    for (const Axis& axis : grid.axes) {
+        const bool polar = axis.name == "theta_i" || axis.name == "theta_o";
+        const bool ends_there = polar && axis.values.back() == 90;
+        cells *= axis.values.size();
+        above *= axis.values.size() - (ends_there ? 1 : 0);
+    }
+    return cells - above;
+}
+
+std::string storage_text(const Job& job)
+{
+    if (job.format != "exr") return job.format;
+    return fmt::format("exr, {}, {}", job.write.half ? "half" : "float", job.write.compression);
+}
+
+std::string conversion_text(const Job& job)
+{
+    const bool printed = std::ranges::any_of(
+        job.materials.front().lobes, [](const Lobe& lobe) { return (lobe.traits() & VALUE) != 0; });
+    if (!printed || job.measure != Measure::brdf) return {};
+    return "the paper's value holds cos theta_i and is divided by it";
+}
+
+}  // namespace
+
+std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes)
+{
+    if (lobes.size() == 1) return {""};
+    std::vector<std::string> prefixes;
+    for (std::size_t k = 0; k < lobes.size(); ++k) {
+        const auto same = [&](const Lobe& lobe) { return lobe.model == lobes[k].model; };
+        const auto earlier = std::ranges::count_if(
+            lobes.begin(), lobes.begin() + static_cast<std::ptrdiff_t>(k), same);
+        const bool single = std::ranges::count_if(lobes, same) == 1;
+        prefixes.push_back(single ? fmt::format("{}.", lobes[k].model->id)
+                                  : fmt::format("{}_{}.", lobes[k].model->id, earlier + 1));
+    }
+    return prefixes;
+}
+
+Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes)
+{
+    const Model& model = *lobes[sweep.part].model;
+    const auto index = model.index_of(parameters_of(model, sweep.parameter).front());
+    const auto unit = index == Model::npos ? "1" : std::string(model.parameters[index].unit);
+    return {lobe_prefixes(lobes)[sweep.part] + sweep.parameter, unit, sweep.values, Samples::node};
+}
+
+TableHeader make_header(const Job& job, const Quantity& quantity, const std::string& solver,
+                        const std::vector<Sweep>& swept)
+{
+    const Material& material = job.materials.front();
+    TableHeader header;
+    header.quantity = quantity.id;
+    header.unit = quantity.unit;
+    for (const Sweep& sweep : swept) header.axes.push_back(sweep_axis(sweep, material.lobes));
+    header.sweep_axes = swept.size();
+    header.axes.insert(header.axes.end(), job.grid.axes.begin(), job.grid.axes.end());
+    header.channels = material.channel_names();
+
+    Attributes attributes;
+    attributes.add("program", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT));
+    attributes.add("title", std::string(quantity.title));
+    attributes.add("solver", solver);
+    attributes.add("storage", storage_text(job));
+    attributes.add("grid", grid_name(job.grid.kind));
+    attributes.add("directions", directions_text(job.grid.kind));
+    if (const auto cells = cells_at_the_horizon(job.grid); cells != 0) {
+        attributes.add("horizon", std::string("cells with a direction at 90 deg hold the limit "
+                                              "there, or 0 where it is infinite"));
+        attributes.add("horizon.cells", static_cast<double>(cells));
+    }
+    if (const auto text = conversion_text(job); !text.empty()) attributes.add("conversion", text);
+    attributes.add("material", material.name);
+    const auto prefixes = lobe_prefixes(material.lobes);
+    for (std::size_t k = 0; k < material.lobes.size(); ++k) {
+        std::set<std::string> names;
+        for (const Sweep& sweep : swept)
+            if (sweep.part == k)
+                for (const auto& name : parameters_of(*material.lobes[k].model, sweep.parameter))
+                    names.insert(name);
+        attributes.add(material.lobes[k], prefixes[k], names);
+    }
+    header.attributes = attributes.all();
+    return header;
+}
+
+std::string definition(const Job& job)
+{
+    return text_of(to_json(job.header));
+}
+
+}  // namespace gonio

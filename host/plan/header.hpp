@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The header of a planned table: all that determines its bytes, and what a reader must know.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gonio/job.hpp"
+
+namespace gonio {
+
+/// What parameters of each lobe are called among all: "" for a single lobe, else the model's id
+/// with a dot, and a number where the model is there more than once ("ward_2.").
+std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes);
+
+/// A swept parameter as an axis of a table.
+Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes);
+
+/// The header of a job that has everything else. `swept` are its sweeps that are axes.
+TableHeader make_header(const Job& job, const Quantity& quantity, const std::string& solver,
+                        const std::vector<Sweep>& swept);
+
+}  // namespace gonio

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a scene to jobs: sweeps become materials of one job, or jobs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "gonio/errors.hpp"
+#include "gonio/job.hpp"
+#include "output/check.hpp"
+#include "plan/header.hpp"
+#include "scene/located.hpp"
+
+namespace gonio {
+namespace {
+
+constexpr std::size_t max_points = 65536;  // values of all sweeps combined, over all tables
+constexpr std::size_t max_files = 10000;
+
+/// Every combination of the sweeps' values, the last sweep fastest; a single empty one if there are
+/// no sweeps.
+std::vector<std::vector<double>> combinations(const std::vector<Sweep>& sweeps)
+{
+    std::vector<std::vector<double>> points{{}};
+    for (const Sweep& sweep : sweeps) {
+        std::vector<std::vector<double>> longer;
+        for (const auto& point : points)
+            for (const double value : sweep.values) {
+                longer.push_back(point);
+                longer.back().push_back(value);
+            }
+        points = std::move(longer);
+    }
+    return points;
+}
+
+std::vector<Lobe> at_point(std::vector<Lobe> lobes, const std::vector<Sweep>& sweeps,
+                           const std::vector<double>& point)
+{
+    for (std::size_t k = 0; k < sweeps.size(); ++k)
+        lobes[sweeps[k].part].set(sweeps[k].parameter, std::vector{point[k]});
+    return lobes;
+}
+
+std::string extension(const std::string& format)
+{
+    return format == "merl" ? ".binary" : "." + format;
+}
+
+std::size_t product(const std::vector<Sweep>& sweeps)
+{
+    std::size_t points = 1;
+    for (const Sweep& sweep : sweeps)
+        if (__builtin_mul_overflow(points, sweep.values.size(), &points)) return SIZE_MAX;
+    return points;
+}
+
+class Planner {
+public:
+    Planner(const Scene& scene, const std::filesystem::path& directory)
+        : scene_(scene), directory_(directory.empty() ? scene.directory : directory)
+    {
+    }
+
+    void add(const TableRequest& request)
+    {
+        const SceneMaterial& material = scene_.materials[request.material];
+        std::vector<Sweep> axes, files;
+        for (const Sweep& sweep : material.sweeps) (sweep.axis ? axes : files).push_back(sweep);
+        check_amount(request, product(axes), product(files));
+        for (const auto& point : combinations(files)) {
+            jobs_.push_back(make_job(request, files, point, axes));
+            if (!names_.insert(jobs_.back().name).second)
+                throw UsageError(fmt::format("{}two tables would be written to `{}`", request.where,
+                                             jobs_.back().path.string()));
+        }
+    }
+
+    std::vector<Job> jobs() { return std::move(jobs_); }
+
+private:
+    void check_amount(const TableRequest& request, std::size_t points, std::size_t files)
+    {
+        if (points > max_points || files > max_points || points * files > max_points - points_)
+            throw UsageError(
+                fmt::format("{}with the sweeps of this table there are more than {} "
+                            "combinations in the scene",
+                            request.where, max_points));
+        points_ += points * files;
+        if (files > max_files - jobs_.size())
+            throw UsageError(fmt::format("{}with this table there are more than {} files",
+                                         request.where, max_files));
+    }
+
+    Job make_job(const TableRequest& request, const std::vector<Sweep>& files,
+                 const std::vector<double>& file_point, const std::vector<Sweep>& axes) const
+    {
+        const SceneMaterial& material = scene_.materials[request.material];
+        const auto lobes =
+            at_point(std::get<std::vector<Lobe>>(material.made_of), files, file_point);
+        Job job;
+        job.name = request.name;
+        const auto prefixes = lobe_prefixes(lobes);
+        for (std::size_t k = 0; k < files.size(); ++k)
+            job.name +=
+                fmt::format("-{}{}={}", prefixes[files[k].part], files[k].parameter, file_point[k]);
+        for (const auto& point : combinations(axes))
+            job.materials.push_back({material.name, at_point(lobes, axes, point)});
+        job.measure = request.quantity->id == "brdf_cosine" ? Measure::brdf_cosine : Measure::brdf;
+        job.grid = *request.grid;
+        job.format = request.storage.format;
+        job.write = request.storage.write;
+        job.path = directory_ / (job.name + extension(job.format));
+        job.where = request.where;
+        job.header = make_header(job, *request.quantity, request.solver, axes);
+        check_job(job);
+        return job;
+    }
+
+    static void check_job(const Job& job)
+    {
+        for (const Material& material : job.materials)
+            if (job.grid.kind != GridKind::anisotropic && !material.isotropic())
+                throw UsageError(fmt::format(
+                    "{}material `{}` is anisotropic, and this grid has no tangent to tell its "
+                    "directions apart; use kind = \"anisotropic\"",
+                    job.where, material.name));
+        located(job.where, [&] { check(job.header); });
+    }
+
+    const Scene& scene_;
+    std::filesystem::path directory_;
+    std::vector<Job> jobs_;
+    std::set<std::string> names_;
+    std::size_t points_ = 0;
+};
+
+}  // namespace
+
+std::vector<Job> plan_jobs(const Scene& scene, const std::filesystem::path& directory)
+{
+    Planner planner(scene, directory);
+    for (const TableRequest& request : scene.tables) planner.add(request);
+    return planner.jobs();
+}
+
+}  // namespace gonio

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads materials: a model, a sum of lobes, layers or skin.
+#include "scene/material.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "scene/lobe.hpp"
+#include "scene/sweep.hpp"
+
+namespace gonio {
+namespace {
+
+constexpr std::size_t max_name = 100;  // bytes, so that file names with sweeps stay below 255
+
+std::vector<Lobe> read_lobes(const Value& list, std::vector<Sweep>& sweeps)
+{
+    std::vector<Lobe> lobes;
+    for (const Value& value : list.list()) {
+        const Section section(value);
+        section.allow({"model", "weight", "parameters"});
+        lobes.push_back(read_lobe(section, lobes.size(), sweeps));
+    }
+    if (lobes.empty()) list.fail("a sum of no lobes; allowed is at least one");
+    return lobes;
+}
+
+SkinRequest read_skin(const Section& material, std::vector<Sweep>& sweeps)
+{
+    SkinRequest skin{material.at("skin").text(), {}};
+    if (const auto parameters = material.find("parameters"))
+        for (const Value& value : Section(*parameters).values())
+            skin.parameters.emplace_back(value.name(), read_swept_number(value, 0, sweeps));
+    return skin;
+}
+
+/// "model", "lobes", "layers" or "skin": which the material has.
+std::string_view kind_of(const Section& section)
+{
+    section.allow({"name", "model", "weight", "parameters", "lobes", "layers", "n_above", "n_below",
+                   "bottom", "bottom_albedo", "skin"});
+    std::vector<std::string_view> kinds;
+    for (const auto kind : {"model", "lobes", "layers", "skin"})
+        if (section.find(kind)) kinds.emplace_back(kind);
+    if (kinds.size() != 1)
+        section.fail(fmt::format("a material is one of `model`, `lobes`, `layers` and `skin`, {}",
+                                 kinds.empty()
+                                     ? "and this one has none of them"
+                                     : fmt::format("not `{}`", fmt::join(kinds, "` and `"))));
+    return kinds.front();
+}
+
+}  // namespace
+
+std::string read_name(const Value& value)
+{
+    const auto name = value.text();
+    const bool unprintable =
+        std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+    if (name.empty() || name.size() > max_name || name.front() == '.' || unprintable ||
+        name.find('/') != std::string::npos) {
+        value.fail(
+            fmt::format("`{}` is part of a file's name: allowed are 1 to {} bytes without / "
+                        "and control characters, not beginning with a dot",
+                        value.name(), max_name));
+    }
+    return name;
+}
+
+SceneMaterial read_material(const Value& value)
+{
+    const Section section(value);
+    const auto kind = kind_of(section);
+    SceneMaterial material;
+    material.where = section.where();
+    material.name = read_name(section.at("name"));
+    if (kind == "model") {
+        section.allow({"name", "model", "weight", "parameters"});
+        material.made_of = std::vector{read_lobe(section, 0, material.sweeps)};
+    } else if (kind == "lobes") {
+        section.allow({"name", "lobes"});
+        material.made_of = read_lobes(section.at("lobes"), material.sweeps);
+    } else if (kind == "layers") {
+        section.allow({"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo"});
+        material.made_of = read_layers(section, material.sweeps);
+    } else {
+        section.allow({"name", "skin", "parameters"});
+        material.made_of = read_skin(section, material.sweeps);
+    }
+    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of))
+        located(material.where, [&] { return Material{material.name, *lobes}.channels(); });
+    return material;
+}
+
+}  // namespace gonio

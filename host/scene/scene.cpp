@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reads scene files: the sections, and what must agree between them.
+#include "gonio/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <map>
+#include <system_error>
+
+#include "scene/material.hpp"
+#include "scene/table.hpp"
+
+namespace gonio {
+namespace {
+
+constexpr std::size_t max_file = std::size_t{16} << 20;
+
+std::string contents(const std::filesystem::path& path)
+{
+    errno = 0;
+    std::ifstream file(path, std::ios::binary);
+    std::string text(max_file + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    if (!file.eof() && file.gcount() == 0)
+        throw UsageError(fmt::format("{}: cannot be read: {}", path.string(),
+                                     std::generic_category().message(errno)));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (text.size() > max_file)
+        throw UsageError(
+            fmt::format("{}: is larger than 16 MiB, which no scene is", path.string()));
+    return text;
+}
+
+toml::table parse(std::string_view text, std::string_view file)
+{
+    try {
+        return toml::parse(text, file);
+    } catch (const toml::parse_error& fault) {
+        const auto position = fault.source().begin;
+        throw UsageError(fmt::format("{}:{}:{}: not TOML: {}", file, position.line, position.column,
+                                     fault.description()));
+    }
+}
+
+/// Names are unique: the second of a name is refused at its place.
+class Names {
+public:
+    explicit Names(std::string_view what) : what_(what) {}
+
+    void add(const std::string& name, const Where& where)
+    {
+        const auto [earlier, is_new] = seen_.emplace(name, where);
+        if (!is_new)
+            throw UsageError(fmt::format("{}there is a {} `{}` already: {}", where, what_, name,
+                                         earlier->second.substr(0, earlier->second.size() - 2)));
+    }
+
+private:
+    std::string_view what_;
+    std::map<std::string, Where> seen_;
+};
+
+std::vector<Value> list_of(const Section& root, std::string_view key)
+{
+    const auto value = root.find(key);
+    return value ? value->list() : std::vector<Value>();
+}
+
+Storage read_output(const Section& root, std::filesystem::path& directory)
+{
+    Storage storage;
+    if (const auto value = root.find("output")) {
+        const Section output(*value);
+        output.allow({"directory", "format", "precision", "compression"});
+        if (const auto path = output.find("directory")) {
+            if (path->text().empty()) path->fail("`directory` is empty");
+            directory = path->text();
+        }
+        read_storage(output, storage);
+    }
+    return storage;
+}
+
+void warn_of_unused(Scene& scene)
+{
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const bool used = std::ranges::any_of(
+            scene.tables, [m](const TableRequest& table) { return table.material == m; });
+        if (!used)
+            scene.warnings.push_back(fmt::format("{}no table is asked of material `{}`",
+                                                 scene.materials[m].where,
+                                                 scene.materials[m].name));
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, std::string_view file)
+{
+    const toml::table document = parse(text, file);
+    const Section root(Value(document, "the scene", document.source().begin));
+    root.allow({"output", "material", "table"});
+    Scene scene;
+    const Storage storage = read_output(root, scene.directory);
+    Names material_names("material"), table_names("table");
+    for (const Value& value : list_of(root, "material")) {
+        scene.materials.push_back(read_material(value));
+        material_names.add(scene.materials.back().name, scene.materials.back().where);
+    }
+    for (const Value& value : list_of(root, "table")) {
+        scene.tables.push_back(read_table_request(value, scene.materials, storage));
+        table_names.add(scene.tables.back().name, scene.tables.back().where);
+    }
+    if (scene.tables.empty()) root.fail("the scene asks for no [[table]]");
+    warn_of_unused(scene);
+    return scene;
+}
+
+Scene load_scene(const std::filesystem::path& path)
+{
+    return parse_scene(contents(path), path.string());
+}
+
+}  // namespace gonio

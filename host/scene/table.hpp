@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables that a scene asks for.
+#pragma once
+
+#include <vector>
+
+#include "scene/reader.hpp"
+
+namespace gonio {
+
+/// One [[table]]. `storage` is the scene's own.
+TableRequest read_table_request(const Value& value, const std::vector<SceneMaterial>& materials,
+                                const Storage& storage);
+
+/// { kind, counts, samples, spacing, delta_phi_to }
+Grid read_grid(const Value& value);
+
+/// { name = { from, to, count, samples }, ... } or { name = { values = [...] }, ... }
+std::vector<Axis> read_axes(const Value& value);
+
+/// The keys `format`, `precision` and `compression` of a section, where it has them.
+void read_storage(const Section& section, Storage& storage);
+
+}  // namespace gonio
