@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 
 #include "compute/grid_kernel.hpp"
 #include "compute/horizon.hpp"
@@ -15,21 +16,6 @@
 
 namespace gonio {
 namespace {
-
-double seconds_of(const cl::Event& event)
-{
-    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                      event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
-}
-
-bool touches_horizon(const Grid& grid)
-{
-    return grid.kind != GridKind::rusinkiewicz &&
-           std::ranges::any_of(grid.axes, [](const Axis& axis) {
-               return axis.name.starts_with("theta") &&
-                      std::ranges::find(axis.values, 90.0) != axis.values.end();
-           });
-}
 
 /// Rows per tile, within the bound and the device's limits. A reciprocal table needs whole squares
 /// of rows.
@@ -85,7 +71,7 @@ try {
     const bool horizon = touches_horizon(grid);
     const cl_map_flags access = horizon ? CL_MAP_READ | CL_MAP_WRITE : CL_MAP_READ;
 
-    std::vector<OutputBuffer> buffers;
+    std::deque<OutputBuffer> buffers;  // they do not move
     for (std::size_t k = 0; k < (tile < tables.rows ? 2 : 1); ++k)
         buffers.emplace_back(device, tile * row_size);
     std::array<cl::Event, 2> events;

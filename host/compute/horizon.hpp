@@ -14,9 +14,15 @@ namespace gonio {
 /// from the reference at two heights: a pole grows between them.
 bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::size_t channel);
 
+/// Has the grid samples at exactly 90 degrees?
+bool touches_horizon(const Grid& grid);
+
 /// Sets cells of rows [first, first + count) without a finite limit to 0. values:
 /// [channel][row][column]. Returns how many.
 std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
                         std::size_t first, std::size_t count, float* values);
+
+/// How many samples of a whole grid have no finite limit.
+std::size_t count_poles(const Reference& f, const Grid& grid, std::size_t channels);
 
 }  // namespace gonio

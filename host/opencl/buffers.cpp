@@ -25,15 +25,23 @@ cl::Buffer input_buffer(Device::State& device, const std::vector<float>& values)
     return buffer;
 }
 
-OutputBuffer::OutputBuffer(Device::State& device, std::size_t size)
-    : device_(device),
-      size_(size),
-      buffer_(device.context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR,
-              (size + canary.size()) * sizeof(float))
+OutputBuffer::OutputBuffer(Device::State& device, std::size_t size) : device_(device), size_(size)
 {
-    device_.queue.enqueueWriteBuffer(buffer_, CL_TRUE, size * sizeof(float), sizeof canary,
-                                     canary.data());
+    const std::size_t bytes = (size + canary.size()) * sizeof(float);
+    const auto spare = std::ranges::find_if(device.spare_outputs, [&](const cl::Buffer& buffer) {
+        return buffer.getInfo<CL_MEM_SIZE>() >= bytes;
+    });
+    if (spare != device.spare_outputs.end()) {
+        buffer_ = *spare;
+        device.spare_outputs.erase(spare);
+    } else {
+        device.spare_outputs.clear();
+        buffer_ = cl::Buffer(device.context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
+    }
+    device_.queue.enqueueWriteBuffer(buffer_, CL_TRUE, size * sizeof(float), sizeof canary, canary.data());
 }
+
+OutputBuffer::~OutputBuffer() { device_.spare_outputs.push_back(buffer_); }
 
 void OutputBuffer::map(std::size_t count, cl_map_flags flags)
 {

@@ -174,6 +174,12 @@ unsigned Device::width() const
     return state_->width;
 }
 
+double seconds_of(const cl::Event& event)
+{
+    return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                      event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+}
+
 std::string error_text(const cl::Error& error)
 {
     return fmt::format("{} ({})", error.what(), error.err());
