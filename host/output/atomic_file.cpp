@@ -15,16 +15,13 @@
 
 #include "gonio/errors.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 constexpr std::string_view marker = ".partial-";
 
 /// A file descriptor that closes itself.
-class Descriptor
-{
+class Descriptor {
 public:
     explicit Descriptor(int number) : number_(number) {}
     ~Descriptor()

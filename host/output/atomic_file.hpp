@@ -10,15 +10,13 @@
 #include <string_view>
 #include <vector>
 
-namespace gonio
-{
+namespace gonio {
 
 /// Writes `.<name>.partial-<pid>` beside `path` and renames it when all of it is on the disk.
 /// The temporary is locked while it is written, so that a later run can tell it from one that a
 /// killed run left. Every failure is a RunError with the path and the system's words; after one,
 /// commit() fails too, even if the caller (a library's destructor) swallowed it.
-class AtomicFile
-{
+class AtomicFile {
 public:
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile();

@@ -6,8 +6,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// Throws a UsageError that names the first fault: an empty, unsorted or nameless axis, two axes or
 /// channels of one name, no channel, a number that is not finite, more cells than can be addressed.

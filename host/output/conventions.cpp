@@ -7,10 +7,8 @@
 
 #include <cmath>
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 constexpr double even_tolerance = 1e-9;  // of the axis' extent
 

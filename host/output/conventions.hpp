@@ -6,8 +6,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// "90 cell centres, evenly spaced from 0.5 to 89.5 degree"; with all values if they are uneven.
 std::string axis_text(const Axis& axis);

@@ -7,8 +7,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 constexpr const char* csv_first_line = "# gonio table 1";
 

@@ -8,8 +8,7 @@
 
 #include "gonio/errors.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 bool CsvLines::next()
 {

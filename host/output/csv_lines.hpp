@@ -7,11 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace gonio
-{
+namespace gonio {
 
-class CsvLines
-{
+class CsvLines {
 public:
     /// `name` is what errors call the stream.
     CsvLines(std::istream& stream, std::string name) : stream_(stream), name_(std::move(name)) {}

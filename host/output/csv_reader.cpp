@@ -11,15 +11,12 @@
 #include "output/formats.hpp"
 #include "output/table_json.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 using Json = nlohmann::ordered_json;
 
-class CsvReader final : public TableReader
-{
+class CsvReader final : public TableReader {
 public:
     explicit CsvReader(const std::filesystem::path& path)
         : path_(path), stream_(path), lines_(stream_, path.string())
@@ -34,6 +31,7 @@ public:
         next_line("the units");
         expect(csv_units(header_));
         index_.assign(header_.axes.size(), 0);
+        rows_left_ = header_.rows();
     }
 
     const TableHeader& header() const override { return header_; }
@@ -43,6 +41,10 @@ public:
         for (std::size_t cell = 0; cell < count * header_.row_length(); ++cell) {
             next_line("a cell");
             read_cell(cell, planes);
+        }
+        rows_left_ -= count;
+        if (rows_left_ == 0 && lines_.next()) {
+            lines_.fail(fmt::format("more than the {} cells of the table", header_.cells()));
         }
     }
 
@@ -114,7 +116,8 @@ private:
     std::ifstream stream_;
     CsvLines lines_;
     TableHeader header_;
-    std::vector<std::size_t> index_;
+    std::vector<std::size_t> index_;  // of the next cell on each axis
+    std::size_t rows_left_ = 0;
 };
 
 }  // namespace

@@ -16,10 +16,8 @@
 #include "output/rows.hpp"
 #include "output/table_json.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 std::string comments(const TableHeader& header)
 {
@@ -38,8 +36,7 @@ std::string comments(const TableHeader& header)
     return text;
 }
 
-class CsvFormat
-{
+class CsvFormat {
 public:
     CsvFormat(const TableHeader& header, const std::filesystem::path& path)
         : header_(header), file_(path)

@@ -17,13 +17,8 @@
 #include "output/conventions.hpp"
 #include "output/table_json.hpp"
 
-namespace gonio
-{
-namespace
-{
-
-// Levels 1 to 9 trade time for size; on float tables anything above 1 costs time and gains little.
-constexpr int zip_level = 1;
+namespace gonio {
+namespace {
 
 Imf::Compression compression_from(const std::string& name)
 {
@@ -88,7 +83,6 @@ Imf::Header common_header(const TableHeader& header, const WriteOptions& options
     Imf::Header image(width, height);
     image.setType(Imf::SCANLINEIMAGE);
     image.compression() = compression_from(options.compression);
-    image.zipCompressionLevel() = zip_level;
     for (std::size_t c = 0; c < header.channels.size(); ++c) {
         image.channels().insert(exr_channel_name(header, c),
                                 Imf::Channel(options.half ? Imf::HALF : Imf::FLOAT));

@@ -14,8 +14,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 constexpr const char* exr_table_attribute = "gonio.table";
 

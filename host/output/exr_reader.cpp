@@ -14,13 +14,10 @@
 #include "output/formats.hpp"
 #include "output/table_json.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
-class ExrReader final : public TableReader
-{
+class ExrReader final : public TableReader {
 public:
     explicit ExrReader(const std::filesystem::path& path) : path_(path)
     {

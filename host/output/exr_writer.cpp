@@ -19,16 +19,13 @@
 #include "output/formats.hpp"
 #include "output/rows.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 // What OpenEXR may hold of uncompressed pixels; it keeps the buffers of every part to the end.
 constexpr std::size_t buffer_limit = std::size_t{256} << 20;
 
-class AtomicStream final : public Imf::OStream
-{
+class AtomicStream final : public Imf::OStream {
 public:
     explicit AtomicStream(AtomicFile& file)
         : Imf::OStream(file.path().string().c_str()), file_(file)
@@ -70,8 +67,7 @@ int thread_count(const TableHeader& header, const WriteOptions& options)
         exr_parts(header), header.row_length(), one_each >> 20, buffer_limit >> 20));
 }
 
-class ExrFormat
-{
+class ExrFormat {
 public:
     ExrFormat(const TableHeader& header, const std::filesystem::path& path,
               const WriteOptions& options)

@@ -16,10 +16,8 @@
 #include "output/check.hpp"
 #include "output/csv_format.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 constexpr std::string_view exr_magic = "\x76\x2f\x31\x01";
 constexpr std::string_view npy_magic = "\x93NUMPY";
@@ -46,7 +44,8 @@ std::unique_ptr<TableWriter> make_writer(const std::filesystem::path& path,
     if (format == "exr") return make_exr_writer(path, header, options);
     if (format == "npy") return make_npy_writer(path, header);
     if (format == "csv") return make_csv_writer(path, header);
-    throw UsageError(fmt::format("the format is exr, npy or csv, not '{}'", format));
+    if (format == "merl") return make_merl_writer(path, header);
+    throw UsageError(fmt::format("the format is exr, npy, csv or merl, not '{}'", format));
 }
 
 void write_table(const std::filesystem::path& path, const std::string& format, const Table& table,
@@ -65,7 +64,9 @@ std::string format_of(const std::filesystem::path& path)
     if (bytes.starts_with(exr_magic)) return "exr";
     if (bytes.starts_with(npy_magic)) return "npy";
     if (bytes.starts_with(csv_first_line)) return "csv";
-    throw UsageError(fmt::format("{}: not a table in EXR, npy or CSV", path.string()));
+    if (is_merl(path)) return "merl";
+    throw UsageError(
+        fmt::format("{}: neither a MERL file nor a table in EXR, npy or CSV", path.string()));
 }
 
 std::unique_ptr<TableReader> open_table(const std::filesystem::path& path)
@@ -73,7 +74,8 @@ std::unique_ptr<TableReader> open_table(const std::filesystem::path& path)
     const auto format = format_of(path);
     if (format == "exr") return open_exr(path);
     if (format == "npy") return open_npy(path);
-    return open_csv(path);
+    if (format == "csv") return open_csv(path);
+    return open_merl(path);
 }
 
 std::size_t block_rows(const TableHeader& header)

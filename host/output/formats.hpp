@@ -8,12 +8,10 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// Gives a table's rows in ascending order, as many at a time as the caller has room for.
-class TableReader
-{
+class TableReader {
 public:
     virtual ~TableReader() = default;
     virtual const TableHeader& header() const = 0;
@@ -40,8 +38,15 @@ std::unique_ptr<TableWriter> make_npy_writer(const std::filesystem::path& path,
 std::unique_ptr<TableWriter> make_csv_writer(const std::filesystem::path& path,
                                              const TableHeader& header);
 
+std::unique_ptr<TableWriter> make_merl_writer(const std::filesystem::path& path,
+                                              const TableHeader& header);
+
+/// MERL files have no magic number: are the first three numbers possible sizes?
+bool is_merl(const std::filesystem::path& path);
+
 std::unique_ptr<TableReader> open_exr(const std::filesystem::path& path);
 std::unique_ptr<TableReader> open_npy(const std::filesystem::path& path);
 std::unique_ptr<TableReader> open_csv(const std::filesystem::path& path);
+std::unique_ptr<TableReader> open_merl(const std::filesystem::path& path);
 
 }  // namespace gonio

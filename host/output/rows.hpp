@@ -13,13 +13,11 @@
 #include "gonio/errors.hpp"
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// Makes a TableWriter of a Format, which has put(Rows<float>), put(Rows<double>) and finish().
 template <class Format>
-class OrderedWriter final : public TableWriter
-{
+class OrderedWriter final : public TableWriter {
 public:
     template <class... Arguments>
     explicit OrderedWriter(const TableHeader& header, Arguments&&... arguments)

@@ -11,10 +11,8 @@
 #include "output/atomic_file.hpp"
 #include "output/table_json.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 constexpr const char* format_name = "gonio table";
 constexpr int format_version = 1;

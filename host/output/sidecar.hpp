@@ -11,8 +11,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// tables/steel.npy -> tables/steel.json
 std::filesystem::path sidecar_path(const std::filesystem::path& table);

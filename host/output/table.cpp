@@ -14,10 +14,8 @@
 #include "gonio/errors.hpp"
 #include "output/check.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 UsageError too_large(const TableHeader& header)
 {

@@ -7,10 +7,8 @@
 #include "gonio/errors.hpp"
 #include "output/check.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 using Json = nlohmann::ordered_json;
 

@@ -8,8 +8,7 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio
-{
+namespace gonio {
 
 /// Numbers are the shortest decimals that read back as the same double.
 nlohmann::ordered_json to_json(const TableHeader& header);

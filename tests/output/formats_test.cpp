@@ -10,17 +10,14 @@
 #include "gonio/errors.hpp"
 #include "output/table_fixtures.hpp"
 
-namespace gonio
-{
-namespace
-{
+namespace gonio {
+namespace {
 
 using test::contents;
 using test::filled;
 using testing::HasSubstr;
 
-class EveryFormat : public testing::TestWithParam<std::string>
-{
+class EveryFormat : public testing::TestWithParam<std::string> {
 protected:
     test::TemporaryDirectory directory;
     std::filesystem::path path = directory / "table.data";

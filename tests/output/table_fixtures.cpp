@@ -7,11 +7,11 @@
 #include <stdlib.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 
-namespace gonio::test
-{
+namespace gonio::test {
 
 TemporaryDirectory::TemporaryDirectory()
 {
@@ -103,6 +103,33 @@ std::string contents(const std::filesystem::path& path)
 void set_contents(const std::filesystem::path& path, const std::string& bytes)
 {
     std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// Stdout and exit status of a command.
+static std::pair<std::string, int> run(const std::string& command)
+{
+    std::string text;
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    if (pipe == nullptr) return {"", -1};
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) text += static_cast<char>(c);
+    const int status = ::pclose(pipe);
+    return {text, status};
+}
+
+std::string output_of(const std::string& command)
+{
+    const auto [text, status] = run(command);
+    EXPECT_EQ(status, 0) << command;
+    return text;
+}
+
+std::string python(const std::string& script, const std::filesystem::path& directory)
+{
+    const auto file = directory / "script.py";
+    set_contents(file, "import json\nimport numpy\n" + script + "\n");
+    const auto [text, status] =
+        run("cd " + directory.string() + " && /usr/bin/python3 script.py 2>/dev/null");
+    return status == 0 ? text : "";
 }
 
 void expect_equal(const TableHeader& got, const TableHeader& expected)

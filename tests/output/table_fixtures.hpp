@@ -7,12 +7,10 @@
 
 #include "gonio/table.hpp"
 
-namespace gonio::test
-{
+namespace gonio::test {
 
 /// A new directory that is removed with all it holds.
-class TemporaryDirectory
-{
+class TemporaryDirectory {
 public:
     TemporaryDirectory();
     ~TemporaryDirectory();
@@ -42,6 +40,12 @@ void write_in_pieces(const std::filesystem::path& path, const std::string& forma
 
 std::string contents(const std::filesystem::path& path);
 void set_contents(const std::filesystem::path& path, const std::string& bytes);
+
+/// What a command prints on stdout. Expects it to succeed.
+std::string output_of(const std::string& command);
+
+/// What a Python script prints, run in `directory` with json and numpy imported; "" if it fails.
+std::string python(const std::string& script, const std::filesystem::path& directory);
 
 /// Expects every member to be equal, numbers to the last bit.
 void expect_equal(const TableHeader& got, const TableHeader& expected);
