@@ -108,7 +108,8 @@ def opencl_stays_inside(path, text):
 def owners(path, text):
     if path.endswith((".cpp", ".hpp")):
         code = re.sub(r"= *delete\b", "", without_comments(text))
-        yield from matches(r"\b(new|delete|malloc|free)\b *[\w(\[]", code, "{}: an owner is an object")
+        calls = r"\b(new|delete|malloc|free)\b *[\w(\[]"
+        yield from matches(calls, code, "{}: an object owns what is allocated")
 
 
 def models(root):
