@@ -8,10 +8,11 @@
 namespace gonio {
 namespace {
 
-/// Calls found(row from `first`, channel, column) for every sample of rows [first, first + count) without a finite limit.
+/// Calls found(row from `first`, channel, column) for every sample of rows [first, first + count)
+/// without a finite limit.
 template <class Found>
-void for_each_pole(const Reference& f, const Grid& grid, std::size_t channels, std::size_t first, std::size_t count,
-                   const Found& found)
+void for_each_pole(const Reference& f, const Grid& grid, std::size_t channels, std::size_t first,
+                   std::size_t count, const Found& found)
 {
     const bool isotropic = grid.kind == GridKind::isotropic;
     const std::vector<double> no_azimuth{0.0};
@@ -45,20 +46,23 @@ bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::si
 
 bool touches_horizon(const Grid& grid)
 {
-    return grid.kind != GridKind::rusinkiewicz && std::ranges::any_of(grid.axes, [](const Axis& axis) {
-               return axis.name.starts_with("theta") && std::ranges::find(axis.values, 90.0) != axis.values.end();
+    return grid.kind != GridKind::rusinkiewicz &&
+           std::ranges::any_of(grid.axes, [](const Axis& axis) {
+               return axis.name.starts_with("theta") &&
+                      std::ranges::find(axis.values, 90.0) != axis.values.end();
            });
 }
 
-std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels, std::size_t first,
-                        std::size_t count, float* values)
+std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
+                        std::size_t first, std::size_t count, float* values)
 {
     std::size_t poles = 0;
     const std::size_t length = grid.axes.back().values.size();
-    for_each_pole(f, grid, channels, first, count, [&](std::size_t row, std::size_t channel, std::size_t column) {
-        values[(channel * count + row) * length + column] = 0;
-        ++poles;
-    });
+    for_each_pole(f, grid, channels, first, count,
+                  [&](std::size_t row, std::size_t channel, std::size_t column) {
+                      values[(channel * count + row) * length + column] = 0;
+                      ++poles;
+                  });
     return poles;
 }
 
@@ -67,7 +71,8 @@ std::size_t count_poles(const Reference& f, const Grid& grid, std::size_t channe
     if (!touches_horizon(grid)) return 0;
     std::size_t rows = 1, poles = 0;
     for (std::size_t k = 0; k + 1 < grid.axes.size(); ++k) rows *= grid.axes[k].values.size();
-    for_each_pole(f, grid, channels, 0, rows, [&](std::size_t, std::size_t, std::size_t) { ++poles; });
+    for_each_pole(f, grid, channels, 0, rows,
+                  [&](std::size_t, std::size_t, std::size_t) { ++poles; });
     return poles;
 }
 

@@ -15,18 +15,21 @@ void require_accuracy(const Device& device, const Job& job, const Accuracy& accu
 {
     const double bound = accuracy_bound(job.materials.front());
     if (accuracy.relative <= bound && accuracy.not_finite == 0) return;
-    throw CheckFailed(fmt::format("table `{}` on {} ({} {}): largest relative error {:.2g}, allowed is {:.2g}; expected "
-                                  "{:.9g}, got {:.9g}; values that are not finite: {}",
-                                  job.name, device.info().name, device.info().platform_name, device.info().driver,
-                                  accuracy.relative, bound, accuracy.reference, accuracy.device, accuracy.not_finite));
+    throw CheckFailed(fmt::format(
+        "table `{}` on {} ({} {}): largest relative error {:.2g}, allowed is {:.2g}; expected "
+        "{:.9g}, got {:.9g}; values that are not finite: {}",
+        job.name, device.info().name, device.info().platform_name, device.info().driver,
+        accuracy.relative, bound, accuracy.reference, accuracy.device, accuracy.not_finite));
 }
 
 }  // namespace
 
-MadeTable make_table(const Device& device, const Job& job, const std::function<void(std::size_t)>& after_rows)
+MadeTable make_table(const Device& device, const Job& job,
+                     const std::function<void(std::size_t)>& after_rows)
 {
     MadeTable made;
-    const std::unique_ptr<TableWriter> writer = make_writer(job.path, job.format, job.header, job.write);
+    const std::unique_ptr<TableWriter> writer =
+        make_writer(job.path, job.format, job.header, job.write);
     const std::size_t channels = job.header.channels.size();
     const std::size_t rows_per_point = job.header.rows() / job.materials.size();
     for (std::size_t point = 0; point < job.materials.size(); ++point) {
@@ -44,7 +47,8 @@ MadeTable make_table(const Device& device, const Job& job, const std::function<v
     made.cells = job.header.cells();
     require_accuracy(device, job, made.accuracy);
     writer->finish();
-    const double values_per_second = static_cast<double>(made.cells * channels) / made.kernel_seconds;
+    const double values_per_second =
+        static_cast<double>(made.cells * channels) / made.kernel_seconds;
     made.store_fraction = values_per_second / stored_values_per_second(device);
     return made;
 }

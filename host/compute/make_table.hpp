@@ -13,16 +13,18 @@ namespace gonio {
 
 /// What happened to one job, for summaries.
 struct MadeTable {
-    std::size_t cells = 0;       ///< cells times sweep points
+    std::size_t cells = 0;  ///< cells times sweep points
     double kernel_seconds = 0;
-    double store_fraction = 0;   ///< of the rate at which the device writes the same number of bytes
-    ComputeReport report;        ///< of the last sweep point
+    double store_fraction = 0;  ///< of the rate at which the device writes the same number of bytes
+    ComputeReport report;       ///< of the last sweep point
     Accuracy accuracy;
 };
 
-/// Streams the table to job.path; nothing is visible there unless it is complete and right. after_rows: called with the number
-/// of cells that are done since the last call; may throw. Throws CheckFailed if the device disagrees with the reference.
-MadeTable make_table(const Device& device, const Job& job, const std::function<void(std::size_t)>& after_rows);
+/// Streams the table to job.path; nothing is visible there unless it is complete and right.
+/// after_rows: called with the number of cells that are done since the last call; may throw. Throws
+/// CheckFailed if the device disagrees with the reference.
+MadeTable make_table(const Device& device, const Job& job,
+                     const std::function<void(std::size_t)>& after_rows);
 
 /// The "run" of the sidecar: device, driver, timings, accuracy.
 nlohmann::ordered_json run_information(const Device& device, const MadeTable& made);

@@ -19,11 +19,13 @@ double measure(Device::State& device)
     kernel.setArg(0, out.buffer());
     kernel.setArg(1, static_cast<cl_ulong>(count));
     // A graphics card wants many short blocks, a processor's core a few long ones.
-    const std::size_t items = device.info.type == "CPU" ? std::size_t{device.info.compute_units} * 32 : count / 64;
+    const std::size_t items =
+        device.info.type == "CPU" ? std::size_t{device.info.compute_units} * 32 : count / 64;
     std::array<double, 5> seconds{};
     for (std::size_t run = 0; run <= seconds.size(); ++run) {
         cl::Event event;
-        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NullRange, nullptr, &event);
+        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items), cl::NullRange,
+                                          nullptr, &event);
         event.wait();
         // The first run touches the pages of the buffer and does not count.
         if (run > 0) seconds[run - 1] = seconds_of(event);

@@ -8,7 +8,8 @@
 
 namespace gonio {
 
-/// Floats per second that kernel `store` writes into a buffer of 64 MiB: the median of a few runs, measured once per device.
+/// Floats per second that kernel `store` writes into a buffer of 64 MiB: the median of a few runs,
+/// measured once per device.
 double stored_values_per_second(const Device& device);
 
 }  // namespace gonio

@@ -38,10 +38,14 @@ OutputBuffer::OutputBuffer(Device::State& device, std::size_t size) : device_(de
         device.spare_outputs.clear();
         buffer_ = cl::Buffer(device.context, CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR, bytes);
     }
-    device_.queue.enqueueWriteBuffer(buffer_, CL_TRUE, size * sizeof(float), sizeof canary, canary.data());
+    device_.queue.enqueueWriteBuffer(buffer_, CL_TRUE, size * sizeof(float), sizeof canary,
+                                     canary.data());
 }
 
-OutputBuffer::~OutputBuffer() { device_.spare_outputs.push_back(buffer_); }
+OutputBuffer::~OutputBuffer()
+{
+    device_.spare_outputs.push_back(buffer_);
+}
 
 void OutputBuffer::map(std::size_t count, cl_map_flags flags)
 {

@@ -13,8 +13,8 @@ namespace gonio {
 /// A read-only buffer filled from the host.
 cl::Buffer input_buffer(Device::State& device, const std::vector<float>& values);
 
-/// An output of `size` floats with a canary behind it. Its memory is taken from an earlier one of the device if that was large
-/// enough, and left to the next.
+/// An output of `size` floats with a canary behind it. Its memory is taken from an earlier one of
+/// the device if that was large enough, and left to the next.
 class OutputBuffer {
 public:
     OutputBuffer(Device::State& device, std::size_t size);

@@ -18,8 +18,9 @@ struct Device::State {
     cl::Context context;
     cl::CommandQueue queue;                       ///< in order, with profiling
     std::map<std::string, cl::Program> programs;  ///< by options and source
-    std::vector<cl::Buffer> spare_outputs;        ///< of finished tables: their pages need not be touched again
-    double stored_per_second = 0;                 ///< see compute/store_rate.hpp; 0 until measured
+    std::vector<cl::Buffer>
+        spare_outputs;             ///< of finished tables: their pages need not be touched again
+    double stored_per_second = 0;  ///< see compute/store_rate.hpp; 0 until measured
 };
 
 /// Seconds that a finished command took by the device's clock.

@@ -30,8 +30,8 @@ void Accuracy::merge(const Accuracy& other)
 
 double accuracy_bound(const Material& material)
 {
-    const bool exponential =
-        std::ranges::any_of(material.lobes, [](const Lobe& lobe) { return (lobe.traits() & EXPONENTIAL) != 0; });
+    const bool exponential = std::ranges::any_of(
+        material.lobes, [](const Lobe& lobe) { return (lobe.traits() & EXPONENTIAL) != 0; });
     return exponential ? 5e-5 : 1e-5;
 }
 
@@ -59,7 +59,8 @@ Accuracy compare(const std::vector<float>& device, const std::vector<double>& re
     return accuracy;
 }
 
-AccuracyCheck::AccuracyCheck(const Grid& grid, std::size_t channels) : grid_(grid), channels_(channels)
+AccuracyCheck::AccuracyCheck(const Grid& grid, std::size_t channels)
+    : grid_(grid), channels_(channels)
 {
     std::size_t cells = 1;
     for (const Axis& axis : grid.axes) cells *= axis.values.size();
@@ -81,7 +82,8 @@ void AccuracyCheck::see(const Rows<float>& rows)
             if (!std::isfinite(values[k])) ++not_finite_;
             if (cell == 0 || values[k] < least.value) least = {cell, values[k], channel};
             if (cell == 0 || values[k] > greatest.value) greatest = {cell, values[k], channel};
-            // One cell of every stratum of step_ cells, at a place that a multiplicative hash of the stratum chooses.
+            // One cell of every stratum of step_ cells, at a place that a multiplicative hash of
+            // the stratum chooses.
             const std::uint64_t place = cell / step_ * 0x9e3779b97f4a7c15ULL >> 32;
             if (cell % step_ == place % step_) samples_.push_back({cell, values[k], channel});
         }
@@ -98,10 +100,12 @@ Accuracy AccuracyCheck::finish(const Reference& reference)
         std::vector<std::jthread> threads;
         for (std::size_t w = 0; w < workers; ++w)
             threads.emplace_back([&, w] {
-                const std::size_t begin = samples_.size() * w / workers, end = samples_.size() * (w + 1) / workers;
+                const std::size_t begin = samples_.size() * w / workers,
+                                  end = samples_.size() * (w + 1) / workers;
                 for (std::size_t k = begin; k < end; ++k) {
                     const Sample& sample = samples_[k];
-                    const auto [l, v] = unit_vectors(grid_, sample.cell / length_, sample.cell % length_);
+                    const auto [l, v] =
+                        unit_vectors(grid_, sample.cell / length_, sample.cell % length_);
                     device[k] = sample.value;
                     expected[k] = l.z > 0 && v.z > 0 ? reference(l, v, sample.channel) : 0;
                     // On the horizon the table holds 0 for a pole; the limit itself is compared.

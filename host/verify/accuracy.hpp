@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the device is from the reference: largest relative error where f is at least 1e-6 of the table's maximum, and largest
-// absolute error as a fraction of that maximum below.
+// How far the device is from the reference: largest relative error where f is at least 1e-6 of the
+// table's maximum, and largest absolute error as a fraction of that maximum below.
 #pragma once
 
 #include <cstddef>
@@ -14,26 +14,27 @@
 namespace gonio {
 
 struct Accuracy {
-    double relative = 0;       ///< largest, where f >= 1e-6 of the maximum
-    double absolute = 0;       ///< largest elsewhere, as a fraction of the maximum
-    double maximum = 0;        ///< of the reference
+    double relative = 0;               ///< largest, where f >= 1e-6 of the maximum
+    double absolute = 0;               ///< largest elsewhere, as a fraction of the maximum
+    double maximum = 0;                ///< of the reference
     double device = 0, reference = 0;  ///< the two values behind `relative`
-    std::size_t checked = 0;   ///< values compared
+    std::size_t checked = 0;           ///< values compared
     std::size_t not_finite = 0;
-    bool complete = true;      ///< every value was compared, not a sample
+    bool complete = true;  ///< every value was compared, not a sample
 
     /// Takes the worse of both.
     void merge(const Accuracy& other);
 };
 
-/// The bound that a material's traits set: 1e-5 for algebraic lobes, 5e-5 for exponential and power lobes.
+/// The bound that a material's traits set: 1e-5 for algebraic lobes, 5e-5 for exponential and power
+/// lobes.
 double accuracy_bound(const Material& material);
 
 /// Pairs of values and how they compare. reference[k] belongs to device[k].
 Accuracy compare(const std::vector<float>& device, const std::vector<double>& reference);
 
-/// Gathers cells of a table while its rows pass: all of up to 2 million, else 10^6 stratified ones and the extremes. What was
-/// gathered is compared at the end, on all cores.
+/// Gathers cells of a table while its rows pass: all of up to 2 million, else 10^6 stratified ones
+/// and the extremes. What was gathered is compared at the end, on all cores.
 class AccuracyCheck {
 public:
     AccuracyCheck(const Grid& grid, std::size_t channels);
@@ -47,7 +48,6 @@ private:
         float value;
         std::uint32_t channel;
     };
-
 
     Grid grid_;
     std::size_t channels_, length_ = 0, step_ = 1;

@@ -31,7 +31,8 @@ double random_number(Generator& random, const Parameter& parameter)
 
 void set_number(Lobe& lobe, std::size_t index, double number)
 {
-    lobe.values[index] = {std::clamp(number, lobe.model->parameters[index].least, lobe.model->parameters[index].greatest)};
+    lobe.values[index] = {std::clamp(number, lobe.model->parameters[index].least,
+                                     lobe.model->parameters[index].greatest)};
 }
 
 /// All combinations of the options of a model's choices.
@@ -68,7 +69,8 @@ std::vector<double> polar_values(Generator& random, std::size_t count, bool offs
         // Next to the mirror direction of those above, at every scale of a highlight.
         const std::size_t size = values.size();
         for (std::size_t k = 0; k < size; ++k)
-            values.push_back(std::clamp(values[k] + std::pow(10.0, uniform(random, -6, 1)), 0.0, grazing));
+            values.push_back(
+                std::clamp(values[k] + std::pow(10.0, uniform(random, -6, 1)), 0.0, grazing));
     }
     return sorted(std::move(values));
 }
@@ -102,10 +104,14 @@ std::vector<Material> verification_materials(const Model& model, std::size_t cou
             all.push_back({std::string(model.id), {variant}});
             Lobe& lobe = all.back().lobes[0];
             for (std::size_t k = 0; k < model.parameters.size(); ++k)
-                if (model.parameters[k].kind != Kind::choice) set_number(lobe, k, random_number(random, model.parameters[k]));
-            // Every other one isotropic, so that the program without a tangent frame is verified too.
+                if (model.parameters[k].kind != Kind::choice)
+                    set_number(lobe, k, random_number(random, model.parameters[k]));
+            // Every other one isotropic, so that the program without a tangent frame is verified
+            // too.
             for (const Both& both : model.both)
-                if (n % 2 == 0) lobe.values[model.index_of(both.second)] = lobe.values[model.index_of(both.first)];
+                if (n % 2 == 0)
+                    lobe.values[model.index_of(both.second)] =
+                        lobe.values[model.index_of(both.first)];
         }
     }
     return all;
@@ -122,7 +128,8 @@ Grid verification_grid(const Material& material, std::size_t count)
     grid.axes.push_back(axis("theta_i", polar_values(random, count, false)));
     if (!material.isotropic()) grid.axes.push_back(axis("phi_i", {0, 33, 90, 211}));
     grid.axes.push_back(axis("theta_o", polar_values(random, count, true)));
-    grid.axes.push_back(axis(material.isotropic() ? "delta_phi" : "phi_o", azimuth_values(random, count)));
+    grid.axes.push_back(
+        axis(material.isotropic() ? "delta_phi" : "phi_o", azimuth_values(random, count)));
     return grid;
 }
 
@@ -165,7 +172,9 @@ std::string parameter_text(const Lobe& lobe)
         const Parameter& parameter = lobe.model->parameters[k];
         if (!text.empty()) text += ", ";
         if (parameter.kind == Kind::choice)
-            text += fmt::format("{} = {}", parameter.name, parameter.options[static_cast<std::size_t>(lobe.values[k][0])].name);
+            text +=
+                fmt::format("{} = {}", parameter.name,
+                            parameter.options[static_cast<std::size_t>(lobe.values[k][0])].name);
         else
             text += fmt::format("{} = {:.6g}", parameter.name, lobe.values[k][0]);
     }

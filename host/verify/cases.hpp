@@ -10,11 +10,12 @@
 
 namespace gonio {
 
-/// Every combination of options, each with the defaults, every parameter at both ends of its range, and `count` random sets.
+/// Every combination of options, each with the defaults, every parameter at both ends of its range,
+/// and `count` random sets.
 std::vector<Material> verification_materials(const Model& model, std::size_t count);
 
-/// Angles from exactly normal to cos theta = 1e-6, pairs at the mirror direction, next to it and at retro-reflection, and
-/// `count` random ones, on a grid that fits the material.
+/// Angles from exactly normal to cos theta = 1e-6, pairs at the mirror direction, next to it and at
+/// retro-reflection, and `count` random ones, on a grid that fits the material.
 Grid verification_grid(const Material& material, std::size_t count);
 
 /// Half vectors from 1e-6 degrees to grazing.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares a model on a device with its reference over random and extreme directions and parameters.
+// Compares a model on a device with its reference over random and extreme directions and
+// parameters.
 #include "verify/verify.hpp"
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 namespace gonio {
 namespace {
 
-/// Below the bound of relative error a value is compared with the maximum: float32 has 2^-24 of it, and some.
+/// Below the bound of relative error a value is compared with the maximum: float32 has 2^-24 of it,
+/// and some.
 constexpr double absolute_bound = 1e-9;
 constexpr double reciprocity_bound = 1e-6;
 
@@ -26,7 +28,8 @@ Values on_grid(const Device& device, const Material& material, Measure measure, 
     const Reference reference = make_reference(material, measure);
     const std::size_t length = grid.axes.back().values.size();
     compute_grid(device, material, measure, grid, [&](const Rows<float>& rows) {
-        values.device.insert(values.device.end(), rows.planes[0], rows.planes[0] + rows.count * length);
+        values.device.insert(values.device.end(), rows.planes[0],
+                             rows.planes[0] + rows.count * length);
     });
     values.reference.reserve(values.device.size());
     for (std::size_t k = 0; k < values.device.size(); ++k) {
@@ -36,7 +39,8 @@ Values on_grid(const Device& device, const Material& material, Measure measure, 
     return values;
 }
 
-Values on_points(const Device& device, const Material& material, Measure measure, const std::vector<DirectionPair>& pairs)
+Values on_points(const Device& device, const Material& material, Measure measure,
+                 const std::vector<DirectionPair>& pairs)
 {
     Values values{compute_points(device, material, measure, pairs)[0], {}};
     const Reference reference = make_reference(material, measure);
@@ -47,14 +51,16 @@ Values on_points(const Device& device, const Material& material, Measure measure
     return values;
 }
 
-double reciprocity_defect(const Device& device, const Material& material, std::vector<DirectionPair> pairs,
-                          const std::vector<float>& forward, double maximum)
+double reciprocity_defect(const Device& device, const Material& material,
+                          std::vector<DirectionPair> pairs, const std::vector<float>& forward,
+                          double maximum)
 {
     for (DirectionPair& pair : pairs) {
         std::swap(pair.theta_i, pair.theta_o);
         std::swap(pair.phi_i, pair.phi_o);
     }
-    const std::vector<float> backward = compute_points(device, material, Measure::as_printed, pairs)[0];
+    const std::vector<float> backward =
+        compute_points(device, material, Measure::as_printed, pairs)[0];
     double defect = 0;
     for (std::size_t k = 0; k < forward.size(); ++k)
         defect = std::max(defect, static_cast<double>(std::abs(forward[k] - backward[k])));
@@ -65,8 +71,8 @@ double reciprocity_defect(const Device& device, const Material& material, std::v
 
 bool Verdict::passed() const
 {
-    return accuracy.relative <= bound && accuracy.absolute <= absolute_bound && accuracy.not_finite == 0 &&
-           negative == 0 && reciprocity_defect <= reciprocity_bound;
+    return accuracy.relative <= bound && accuracy.absolute <= absolute_bound &&
+           accuracy.not_finite == 0 && negative == 0 && reciprocity_defect <= reciprocity_bound;
 }
 
 Verdict verify_model(const Device& device, const Model& model, bool quick)
@@ -78,7 +84,8 @@ Verdict verify_model(const Device& device, const Model& model, bool quick)
     const auto judge = [&](const Material& material, const Values& values) {
         const Accuracy accuracy = compare(values.device, values.reference);
         const double bound = accuracy_bound(material);
-        // Options of one model may have different bounds: the worst case is the one nearest to its own.
+        // Options of one model may have different bounds: the worst case is the one nearest to its
+        // own.
         if (accuracy.relative / bound > worst) {
             worst = accuracy.relative / bound;
             verdict.bound = bound;
@@ -92,18 +99,22 @@ Verdict verify_model(const Device& device, const Model& model, bool quick)
             verdict.accuracy.device = accuracy.device;
             verdict.accuracy.reference = accuracy.reference;
         }
-        verdict.negative += static_cast<std::size_t>(std::ranges::count_if(values.device, [](float f) { return f < 0; }));
+        verdict.negative += static_cast<std::size_t>(
+            std::ranges::count_if(values.device, [](float f) { return f < 0; }));
     };
     for (const Material& material : verification_materials(model, quick ? 2 : 16)) {
-        judge(material, on_grid(device, material, Measure::as_printed, verification_grid(material, density)));
+        judge(material,
+              on_grid(device, material, Measure::as_printed, verification_grid(material, density)));
         if (material.isotropic())
-            judge(material, on_grid(device, material, Measure::as_printed, verification_half_grid(density)));
+            judge(material,
+                  on_grid(device, material, Measure::as_printed, verification_half_grid(density)));
         const Values points = on_points(device, material, Measure::as_printed, pairs);
         judge(material, points);
         if ((material.lobes[0].traits() & ONE_WAY) == 0)
             verdict.reciprocity_defect =
                 std::max(verdict.reciprocity_defect,
-                         reciprocity_defect(device, material, pairs, points.device, verdict.accuracy.maximum));
+                         reciprocity_defect(device, material, pairs, points.device,
+                                            verdict.accuracy.maximum));
     }
     return verdict;
 }

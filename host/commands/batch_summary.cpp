@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Runs jobs as `run` and `table` do: with progress, and a summary of what was made.
+#include "commands/batch_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compute/make_table.hpp"
+#include "compute/store_rate.hpp"
+#include "plan/batch.hpp"
+#include "plan/estimate.hpp"
+#include "plan/interrupt.hpp"
+#include "plan/progress.hpp"
+
+namespace gonio {
+namespace {
+
+/// "ward + lambert"
+std::string models_text(const Job& job)
+{
+    std::string text;
+    for (const Lobe& lobe : job.materials.front().lobes)
+        text += (text.empty() ? "" : " + ") + std::string(lobe.model->id);
+    return text;
+}
+
+void print(const Job& job, const MadeTable& made)
+{
+    fmt::print("{:<22} {:>11} {:>8.2f} {:>8.2f} {:>9.1e}{} {}\n", models_text(job), made.cells,
+               static_cast<double>(made.cells) / made.kernel_seconds * 1e-9, made.store_fraction,
+               made.accuracy.relative, made.accuracy.complete ? ' ' : '*', job.path.string());
+}
+
+}  // namespace
+
+void run_jobs(const Device& device, const std::vector<Job>& jobs)
+{
+    catch_interrupts();
+    fmt::print("on {} ({}, driver {}, width {})\n", device.info().name, device.info().platform_name,
+               device.info().driver, device.width());
+    std::vector<std::pair<Job, MadeTable>> made;
+    const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
+        const double channels = static_cast<double>(job.header.channels.size());
+        made.emplace_back(job, make_table(device, job, [&](std::size_t cells) {
+                              progress.advance(channels * static_cast<double>(cells));
+                              throw_if_interrupted();
+                          }));
+        return run_information(device, made.back().second);
+    });
+    if (!made.empty())
+        fmt::print("{:<22} {:>11} {:>8} {:>8} {:>9}  {}\n", "model", "cells", "Geval/s", "of store",
+                   "error", "file");
+    for (const auto& [job, table] : made) print(job, table);
+    if (std::ranges::any_of(made,
+                            [](const auto& entry) { return !entry.second.accuracy.complete; }))
+        fmt::print("* checked on 10^6 stratified cells and the extremes\n");
+    fmt::print("{} made, {} already finished\n", report.made, report.kept);
+}
+
+void print_estimate(const Device& device, const std::vector<Job>& jobs)
+{
+    // Between the cheapest and the dearest models of the catalogue: half of what the device can
+    // store.
+    fmt::print("{}", estimate_text(jobs, 0.5 * stored_values_per_second(device)));
+}
+
+}  // namespace gonio

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// -d and --width, which most verbs have.
+#include "commands/commands.hpp"
+
+namespace gonio {
+
+void DeviceOptions::add_to(CLI::App& verb)
+{
+    verb.add_option("-d,--device", device,
+                    "OpenCL device: P:D as clinfo numbers them, or a part of the name (default: "
+                    "GONIO_DEVICE, else the "
+                    "processor)");
+    verb.add_option("--width", width,
+                    "vector width of the kernels: 1, 2, 4, 8 or 16 (default: by device)");
+}
+
+Device DeviceOptions::open() const
+{
+    return Device(device, width);
+}
+
+}  // namespace gonio

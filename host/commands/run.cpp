@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// gonio run SCENE.toml: every table that a scene asks for.
+#include <fmt/format.h>
+
+#include "commands/batch_summary.hpp"
+#include "commands/commands.hpp"
+#include "gonio/scene.hpp"
+
+namespace gonio {
+namespace {
+
+struct RunOptions {
+    DeviceOptions device;
+    std::string scene, output;
+    bool dry_run = false;
+};
+
+void run(const RunOptions& options)
+{
+    const Scene scene = load_scene(options.scene);
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
+    const std::vector<Job> jobs = plan_jobs(scene, options.output);
+    const Device device = options.device.open();
+    if (options.dry_run) return print_estimate(device, jobs);
+    run_jobs(device, jobs);
+}
+
+}  // namespace
+
+void add_run(CLI::App& app)
+{
+    CLI::App* verb = app.add_subcommand(
+        "run", "Make all tables of a scene; finished ones are kept, an interrupted run goes on");
+    const auto options = std::make_shared<RunOptions>();
+    verb->add_option("SCENE", options->scene, "scene file (TOML)")->required();
+    verb->add_option("-o,--output", options->output,
+                     "directory for the tables, in place of the scene's");
+    verb->add_flag("--dry-run", options->dry_run, "Only say size, memory and time");
+    options->device.add_to(*verb);
+    verb->callback([options] { run(*options); });
+}
+
+}  // namespace gonio
