@@ -28,7 +28,7 @@ protected:
                              {"theta_o", "degree", {22.5, 67.5}, Samples::centre}};
         table.header.channels = {"R", "G"};
         table.header.attributes = {{"model", "ward"}, {"alpha", 0.1}};
-        table.values = {{1, 0.1, 1e-7, 3}, {2, 2.5, 1e20, 4}};
+        table.values = {{1, 0.1, 1e-7, 3}, {2, 2.5, 1e9, 4}};
         return table;
     }
 
@@ -61,7 +61,7 @@ theta_i,theta_o,R,G
 degree,degree,1/sr,1/sr
 0,22.5,1,2
 0,67.5,0.1,2.5
-90,22.5,1e-07,1e+20
+90,22.5,1e-07,1000000000
 90,67.5,3,4
 )");
 }

@@ -111,7 +111,8 @@ TEST(Lookup, AxesOfOneOrTwoSamplesWork)
 {
     const Axis one = {"theta_i", "degree", {30}, Samples::centre};
     const Axis two = {"phi_i", "degree", {0, 10}, Samples::node};
-    for (const auto how : {nearest, linear, cubic}) EXPECT_EQ(at(sampled(one, sine), 80, how), sine(30));
+    for (const auto how : {nearest, linear, cubic})
+        EXPECT_EQ(at(sampled(one, sine), 80, how), sine(30));
     EXPECT_DOUBLE_EQ(at(sampled(two, [](double x) { return x; }), 2.5, cubic), 2.5);
 }
 
