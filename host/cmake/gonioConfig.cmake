@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(gonio CONFIG) gives gonio::gonio; these are the libraries that it is linked with.
+# find_package(gonio CONFIG) gives gonio::gonio; these are the libraries that it needs.
 include(CMakeFindDependencyMacro)
+find_dependency(glm)
 find_dependency(OpenCL)
 find_dependency(OpenEXR 3.1)
 find_dependency(PNG)

@@ -22,4 +22,4 @@ completions() {
 
 cmake -S "$here" -B "$prefix/consumer" -D CMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build "$prefix/consumer" >/dev/null
-"$prefix/consumer/consumer"
+(cd "$prefix" && consumer/consumer)
