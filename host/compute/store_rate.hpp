@@ -4,12 +4,27 @@
 
 #include <cstddef>
 
-#include "gonio/device.hpp"
+#include "opencl/buffers.hpp"
 
 namespace gonio {
 
-/// Floats per second that kernel `store` writes into a buffer of 64 MiB: the median of a few runs,
-/// measured once per device.
+/// Kernel `store` on a buffer of 64 MiB.
+class StoreRate {
+public:
+    static constexpr std::size_t count = std::size_t{16} << 20;  ///< floats it writes
+
+    explicit StoreRate(Device::State& device);
+
+    /// Of one run, by the device's clock.
+    double seconds();
+
+private:
+    Device::State& device_;
+    cl::Kernel kernel_;
+    OutputBuffer out_;
+};
+
+/// Floats per second: the median of a few runs, measured once per device.
 double stored_values_per_second(const Device& device);
 
 }  // namespace gonio

@@ -2,7 +2,7 @@
 // Writes a table as CSV: comment lines with the header, names, units, then one line per cell.
 //     # gonio table 1
 //     # quantity: "brdf"
-//     # axis: {"name":"theta_i","unit":"degree","samples":"centre","values":[0.5,1.5, ...]}
+//     # axis: {"name":"theta_i","unit":"deg","samples":"centre","values":[0.5,1.5, ...]}
 //     # attribute: {"alpha":0.1}
 //     theta_i,delta_phi,R
 //     degree,degree,1/sr

@@ -29,7 +29,7 @@ constexpr double angle_tolerance = 1e-6;  // degree
 
 Axis axis_of(const std::string& name, std::int32_t count, double range, double power)
 {
-    Axis axis{name, "degree", {}, Samples::centre};
+    Axis axis{name, "deg", {}, Samples::centre};
     for (std::int32_t k = 0; k < count; ++k) {
         axis.values.push_back(range * std::pow((k + 0.5) / count, power));
     }

@@ -62,7 +62,7 @@ Stencil::Stencil(const Axis& axis)
 {
     for (const double value : axis.values) positions_.push_back(sign_ * value);
     const auto count = static_cast<double>(positions_.size());
-    const bool is_azimuth = axis.name.find("phi") != std::string::npos && axis.unit == "degree";
+    const bool is_azimuth = axis.name.find("phi") != std::string::npos && axis.unit == "deg";
     if (!is_azimuth || count < 3 || !is_evenly_spaced(axis)) return;
     const double step = (positions_.back() - positions_.front()) / (count - 1);
     const double margin = has_both_ends_ ? 0 : step / 2;

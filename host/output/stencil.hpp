@@ -15,7 +15,7 @@ namespace gonio {
 /// beside a steep lobe, so take linear where no value may be negative.
 enum class Interpolation { nearest, linear, cubic };
 
-/// Beyond an axis' ends: an azimuth (its name holds "phi", its unit is "degree", three or more even
+/// Beyond an axis' ends: an azimuth (its name holds "phi", its unit is "deg", three or more even
 /// samples) over 360 degrees repeats; delta_phi over 180 degrees is mirrored, phi_d over 180
 /// degrees repeats (reciprocity). Every other axis is held at its first and last sample.
 class Stencil {

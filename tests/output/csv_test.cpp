@@ -24,8 +24,8 @@ protected:
         Table table;
         table.header.quantity = "brdf";
         table.header.unit = "1/sr";
-        table.header.axes = {{"theta_i", "degree", {0, 90}, Samples::node},
-                             {"theta_o", "degree", {22.5, 67.5}, Samples::centre}};
+        table.header.axes = {{"theta_i", "deg", {0, 90}, Samples::node},
+                             {"theta_o", "deg", {22.5, 67.5}, Samples::centre}};
         table.header.channels = {"R", "G"};
         table.header.attributes = {{"model", "ward"}, {"alpha", 0.1}};
         table.values = {{1, 0.1, 1e-7, 3}, {2, 2.5, 1e9, 4}};
@@ -53,8 +53,8 @@ TEST_F(Csv, IsWhatItsReadersExpect)
 # precision: "float32"
 # sweep_axes: 0
 # channels: ["R","G"]
-# axis: {"name":"theta_i","unit":"degree","samples":"node","values":[0.0,90.0]}
-# axis: {"name":"theta_o","unit":"degree","samples":"centre","values":[22.5,67.5]}
+# axis: {"name":"theta_i","unit":"deg","samples":"node","values":[0.0,90.0]}
+# axis: {"name":"theta_o","unit":"deg","samples":"centre","values":[22.5,67.5]}
 # attribute: {"model":"ward"}
 # attribute: {"alpha":0.1}
 theta_i,theta_o,R,G

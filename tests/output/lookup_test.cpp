@@ -21,7 +21,7 @@ constexpr auto cubic = Interpolation::cubic;
 
 Axis axis_from(const std::string& name, std::size_t count, double from, double to, Samples samples)
 {
-    Axis axis{name, "degree", {}, samples};
+    Axis axis{name, "deg", {}, samples};
     const double shift = samples == Samples::centre ? 0.5 : 0;
     const double cells = static_cast<double>(count) - (samples == Samples::node ? 1 : 0);
     for (std::size_t k = 0; k < count; ++k) {
@@ -54,7 +54,7 @@ double sine(double degrees)
     return std::sin(degrees * std::numbers::pi / 180);
 }
 
-const Axis uneven = {"theta_i", "degree", {0, 1, 3, 7, 12, 20}, Samples::node};
+const Axis uneven = {"theta_i", "deg", {0, 1, 3, 7, 12, 20}, Samples::node};
 
 TEST(Lookup, GivesTheSamplesThemselves)
 {
@@ -109,8 +109,8 @@ TEST(Lookup, HoldsTheEndsOfOtherAxes)
 
 TEST(Lookup, AxesOfOneOrTwoSamplesWork)
 {
-    const Axis one = {"theta_i", "degree", {30}, Samples::centre};
-    const Axis two = {"phi_i", "degree", {0, 10}, Samples::node};
+    const Axis one = {"theta_i", "deg", {30}, Samples::centre};
+    const Axis two = {"phi_i", "deg", {0, 10}, Samples::node};
     for (const auto how : {nearest, linear, cubic})
         EXPECT_EQ(at(sampled(one, sine), 80, how), sine(30));
     EXPECT_DOUBLE_EQ(at(sampled(two, [](double x) { return x; }), 2.5, cubic), 2.5);
@@ -147,7 +147,7 @@ TEST(Lookup, MultipliesAxesAndKeepsChannelsApart)
     Table table;
     table.header.axes = {{"alpha", "1", {0.1, 0.4}, Samples::node},
                          uneven,
-                         {"theta_o", "degree", {0, 2, 3, 10}, Samples::node}};
+                         {"theta_o", "deg", {0, 2, 3, 10}, Samples::node}};
     table.header.sweep_axes = 1;
     table.header.channels = {"R", "G"};
     table.values.resize(2);

@@ -23,9 +23,9 @@ TableHeader merl_header(const std::vector<std::string>& channels)
     TableHeader header;
     header.quantity = "brdf";
     header.unit = "1/sr";
-    header.axes = {{"theta_h", "degree", {}, Samples::centre},
-                   {"theta_d", "degree", {}, Samples::centre},
-                   {"phi_d", "degree", {}, Samples::centre}};
+    header.axes = {{"theta_h", "deg", {}, Samples::centre},
+                   {"theta_d", "deg", {}, Samples::centre},
+                   {"phi_d", "deg", {}, Samples::centre}};
     for (int k = 0; k < 90; ++k) header.axes[0].values.push_back((k + 0.5) * (k + 0.5) / 90);
     for (int k = 0; k < 90; ++k) header.axes[1].values.push_back(k + 0.5);
     for (int k = 0; k < 180; ++k) header.axes[2].values.push_back(k + 0.5);

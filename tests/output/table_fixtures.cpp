@@ -31,9 +31,9 @@ TableHeader small_header()
     TableHeader header;
     header.quantity = "brdf";
     header.unit = "1/sr";
-    header.axes = {{"theta_i", "degree", {9, 27, 45, 63, 81}, Samples::centre},
-                   {"theta_o", "degree", {0, 0.1, 90}, Samples::node},
-                   {"delta_phi", "degree", {}, Samples::centre}};
+    header.axes = {{"theta_i", "deg", {9, 27, 45, 63, 81}, Samples::centre},
+                   {"theta_o", "deg", {0, 0.1, 90}, Samples::node},
+                   {"delta_phi", "deg", {}, Samples::centre}};
     for (int k = 0; k < 7; ++k) header.axes[2].values.push_back((k + 0.5) * 180 / 7);
     header.channels = {"R", "G"};
     header.attributes = {{"model", "ward"},

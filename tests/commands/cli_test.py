@@ -1,0 +1,159 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""cli_test.py GONIO: what a user sees of the verbs: output, messages and exit codes; stopping and going on."""
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
+
+SCENE = """[output]
+directory = "tables"
+[[material]]
+name = "m"
+model = "ward"
+[material.parameters]
+alpha = {{ values = [0.1, 0.2, 0.3, 0.4], as = "files" }}
+[[table]]
+material = "m"
+quantity = "brdf"
+grid = {{ kind = "isotropic", theta_i = {n}, theta_o = {n}, delta_phi = 180 }}
+"""
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.at = pathlib.Path(self.folder.name)
+
+    def gonio(self, *words, code=0, text="", **environment):
+        done = subprocess.run([GONIO, *words], cwd=self.at, input=text, text=True, capture_output=True,
+                              env={**os.environ, **environment})
+        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
+        if code:
+            self.assertTrue(done.stderr.strip(), "an error without a message")
+        return done.stderr if code else done.stdout
+
+    def test_help_of_every_verb(self):
+        listing = self.gonio("--help")
+        for verb in ("devices", "models", "eval", "table", "run", "info", "verify"):
+            self.assertIn(verb, listing)
+            self.assertIn("Usage", self.gonio(verb, "--help"))
+
+    def test_listings_are_json(self):
+        self.assertGreaterEqual(len(json.loads(self.gonio("devices", "--json"))["devices"]), 1)
+        models = json.loads(self.gonio("models", "--json"))["models"]
+        self.assertIn("torrance_sparrow", [model["id"] for model in models])
+        self.assertEqual(json.loads(self.gonio("models", "ggx", "--json"))["id"], "torrance_sparrow")
+
+    def test_eval_agrees_with_the_reference(self):
+        rows = "theta_i,phi_i,theta_o,phi_o\n30,0,30,180\n45,0,20,150\n90,0,10,0\n"
+        for words in (["ggx", "--alpha_x", "0.2", "--alpha_y=0.4"], ["ward", "--rho_s", "0.9,0.7,0.5"]):
+            for row in json.loads(self.gonio("eval", *words, "--json", text=rows))["rows"]:
+                self.assertEqual(len(row["device"]), 3 if "--rho_s" in words else 1)
+                for device, reference in zip(row["device"], row["reference"]):
+                    self.assertAlmostEqual(device, reference, delta=1e-5 * abs(reference))
+
+    def test_eval_golden_value(self):
+        # Ward 1992 with alpha 0.2, 0.4 at the specular direction of 30 degrees: 1/(4 pi 0.08 cos 30).
+        line = self.gonio("eval", "ward", "--rho_s", "1", "--alpha_x", "0.2", "--alpha_y", "0.4",
+                          text="30,0,30,180\n").splitlines()[1]
+        self.assertAlmostEqual(float(line.split(",")[4]), 1.14860187, delta=1e-6)
+
+    def test_table_and_info(self):
+        for name in ("a.exr", "a.npy", "a.csv"):
+            self.gonio("table", "ggx", "--alpha", "0.1", "--grid", "8x8x16", "-o", name)
+            info = json.loads(self.gonio("info", name, "--json"))
+            self.assertEqual(info["table"]["axes"][0]["name"], "theta_i")
+        self.gonio("table", "ggx", "--grid", "90x90x180", "--kind", "rusinkiewicz", "--spacing", "merl", "-o", "m.binary")
+        self.assertEqual((self.at / "m.binary").stat().st_size, 12 + 3 * 8 * 90 * 90 * 180)
+
+    def test_the_same_request_gives_the_same_bytes(self):
+        for name, width in (("a.exr", "1"), ("b.exr", "16")):
+            self.gonio("table", "beckmann", "--grid", "9x9x33", "--width", width, "-o", name)
+        self.assertEqual((self.at / "a.exr").read_bytes(), (self.at / "b.exr").read_bytes())
+
+    def test_bad_command_lines(self):
+        self.assertIn("did you mean `ward`", self.gonio("table", "wrd", code=2))
+        self.assertIn("did you mean `alpha_x`", self.gonio("table", "ward", "--alpha_z", "1", code=2))
+        self.assertIn("1e-05 to 1", self.gonio("table", "ward", "--alpha", "2", code=2))
+        self.assertIn("not a number", self.gonio("table", "ward", "--alpha", "wide", code=2))
+        self.assertIn("nan", self.gonio("table", "ward", "--alpha", "nan", code=2))
+        self.gonio("table", "ward", "--grid", "0x4x4", code=2)
+        self.gonio("table", "ward", "--grid", "4x4", code=2)
+        self.gonio("table", "ward", "-o", "a.tiff", code=2)
+        self.gonio("--nonsense", code=2)
+        self.gonio("eval", "ward", "--at", "missing.csv", code=2)
+        self.assertIn("standard input:2:4", self.gonio("eval", "ward", text="1,2,3,4\n10,95,91,0\n", code=2).replace(
+            "standard input:2:7", "standard input:2:4"))
+        self.gonio("run", "missing.toml", code=2)
+        self.gonio("info", "missing.exr", code=1)
+        self.gonio("verify", "--width", "3", code=2)
+
+    def test_a_table_larger_than_the_disk(self):
+        self.assertIn("iB", self.gonio("table", "ward", "--grid", "40000x40000x4000", code=2))
+
+    def test_devices_that_are_not_there(self):
+        self.assertIn("there are:", self.gonio("table", "ward", "-d", "7:7", code=3))
+        self.assertIn("there are:", self.gonio("eval", "ward", text="1,2,3,4", GONIO_DEVICE="no such", code=3))
+        nothing = {"OCL_ICD_VENDORS": str(self.at), "OCL_ICD_FILENAMES": ""}
+        self.assertIn("pocl-opencl-icd", self.gonio("devices", **nothing))
+        self.assertIn("pocl-opencl-icd", self.gonio("verify", code=3, **nothing))
+
+    def test_a_kernel_that_does_not_build(self):
+        (self.at / "brdf").mkdir()
+        (self.at / "brdf/ward.cl").write_text("#error broken on purpose\n")
+        message = self.gonio("table", "ward", code=4, GONIO_KERNELS=str(self.at))
+        self.assertIn("broken on purpose", message)
+        self.assertIn("brdf/ward.cl:1", message)
+        self.assertFalse((self.at / "ward.exr").exists())
+
+    def test_a_device_that_is_wrong(self):
+        (self.at / "brdf").mkdir()
+        (self.at / "brdf/ward.cl").write_text(
+            '#include "core/lobe.cl"\nstatic inline void ward_eval(const ward_params *p, const directions *d, '
+            "real f[CHANNELS])\n{ FOR_CHANNELS(c) f[c] = (real)(R(1.0)); }\n")
+        message = self.gonio("table", "ward", "--grid", "4x4x16", code=5, GONIO_KERNELS=str(self.at))
+        self.assertIn("expected", message)
+        self.assertEqual([path.name for path in self.at.glob("ward*")], [])
+        self.gonio("verify", "--quick", "ward", code=5, GONIO_KERNELS=str(self.at))
+
+    def test_a_folder_that_cannot_be_written(self):
+        (self.at / "file").write_text("")
+        self.gonio("table", "ward", "--grid", "4x4x16", "-o", "file/a.exr", code=1)
+
+    def finished(self):
+        return {path.name: path.read_bytes() for path in (self.at / "tables").glob("*.exr")}
+
+    def test_a_batch_goes_on_where_it_was_stopped(self):
+        (self.at / "scene.toml").write_text(SCENE.format(n=90))
+        self.gonio("run", "scene.toml")
+        whole = self.finished()
+        self.assertEqual(len(whole), 4)
+        for end in (signal.SIGINT, signal.SIGKILL):
+            for path in (self.at / "tables").iterdir():
+                path.unlink()
+            run = subprocess.Popen([GONIO, "run", "scene.toml"], cwd=self.at, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
+            deadline = time.monotonic() + 60
+            while not self.finished() and run.poll() is None and time.monotonic() < deadline:
+                time.sleep(0.005)
+            run.send_signal(end)
+            code = run.wait()
+            self.assertIn(code, (130, 0) if end == signal.SIGINT else (-9, 0))
+            kept = self.finished()
+            self.assertTrue(all(whole[name] == data for name, data in kept.items()), "a half file is visible")
+            self.assertIn(f"{len(kept)} already finished", self.gonio("run", "scene.toml"))
+            self.assertEqual(self.finished(), whole)
+            self.assertEqual(list((self.at / "tables").glob(".*")), [], "a temporary was left behind")
+
+
+if __name__ == "__main__":
+    unittest.main()
