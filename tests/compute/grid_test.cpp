@@ -117,7 +117,7 @@ TEST_P(EveryModel, IsFiniteAndNotNegativeOnTheHorizon)
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryModel, testing::ValuesIn(models()),
-                         [](const auto& info) { return std::string(info.param.id); });
+                         [](const auto& model) { return std::string(model.param.id); });
 
 TEST(Grids, KeepALimitOnTheHorizonAndClearAPole)
 {
@@ -138,9 +138,10 @@ TEST(Grids, AddLobesWithTheirWeights)
     const auto both = values(device_of_width(4), sum, grid);
     const auto first = values(device_of_width(4), {"a", {default_lobe("lambert")}}, grid)[0];
     const auto second = values(device_of_width(4), {"b", {default_lobe("ward")}}, grid)[0];
-    for (std::size_t c = 0; c < 3; ++c)
+    const std::vector weights{0.25F, 0.5F, 1.0F};
+    for (std::size_t c = 0; c < weights.size(); ++c)
         for (std::size_t k = 0; k < first.size(); ++k)
-            EXPECT_FLOAT_EQ(both[c][k], first[k] + std::array{0.25F, 0.5F, 1.0F}[c] * second[k]);
+            EXPECT_FLOAT_EQ(both[c][k], first[k] + weights[c] * second[k]);
 }
 
 TEST(Grids, MultiplyTheCosineIn)

@@ -28,7 +28,7 @@ TEST_P(Verify, KeepsTheBound)
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Verify, testing::ValuesIn(models()),
-                         [](const auto& info) { return std::string(info.param.id); });
+                         [](const auto& model) { return std::string(model.param.id); });
 
 /// A folder of kernels in which one file differs, for the life of the object.
 class Kernels {
