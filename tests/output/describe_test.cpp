@@ -68,9 +68,9 @@ TEST(Describe, IsReadableByPeople)
 quantity       brdf [1/sr]
 values         2 x 5 x 3 x 7 cells of float32
 swept alpha    2 nodes, evenly spaced from 0.1 to 0.4
-axis theta_i   5 cell centres, evenly spaced from 9 to 81 degree
-axis theta_o   3 nodes at 0 0.1 90 degree
-axis delta_phi 7 cell centres, evenly spaced from 12.857142857142858 to 167.14285714285714 degree
+axis theta_i   5 cell centres, evenly spaced from 9 to 81 deg
+axis theta_o   3 nodes at 0 0.1 90 deg
+axis delta_phi 7 cell centres, evenly spaced from 12.857142857142858 to 167.14285714285714 deg
 rows           theta_i (outer), theta_o
 columns        delta_phi
 texels         texel k of n is sample k of its axis, at a cell centre or a node as the axis says: its texture coordinate is (k + 0.5)/n

@@ -61,8 +61,8 @@ TEST_F(Exr, SaysInWordsWhichTexelIsWhich)
     EXPECT_EQ(text(0, "columns"), "delta_phi");
     EXPECT_EQ(text(0, "quantity"), "brdf");
     EXPECT_EQ(text(0, "unit"), "1/sr");
-    EXPECT_EQ(text(0, "axis.theta_i"), "5 cell centres, evenly spaced from 9 to 81 degree");
-    EXPECT_EQ(text(0, "axis.theta_o"), "3 nodes at 0 0.1 90 degree");
+    EXPECT_EQ(text(0, "axis.theta_i"), "5 cell centres, evenly spaced from 9 to 81 deg");
+    EXPECT_EQ(text(0, "axis.theta_o"), "3 nodes at 0 0.1 90 deg");
     EXPECT_EQ(text(0, "attribute.model"), "ward");
     EXPECT_EQ(text(0, "attribute.rho_s"), "0.9 0.3333333333333333");
     EXPECT_THAT(text(0, "texels"), HasSubstr("(k + 0.5)/n"));
