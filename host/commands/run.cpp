@@ -5,13 +5,14 @@
 #include "commands/batch_summary.hpp"
 #include "commands/commands.hpp"
 #include "gonio/scene.hpp"
+#include "output/contact_sheet.hpp"
 
 namespace gonio {
 namespace {
 
 struct RunOptions {
     DeviceOptions device;
-    std::string scene, output;
+    std::string scene, output, sheet;
     bool dry_run = false;
 };
 
@@ -23,6 +24,13 @@ void run(const RunOptions& options)
     const Device device = options.device.open();
     if (options.dry_run) return print_estimate(device, jobs);
     run_jobs(device, jobs);
+    if (options.sheet.empty()) return;
+    std::vector<ContactCard> cards;
+    for (const SceneMaterial& material : scene.materials)
+        if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of))
+            cards.push_back(make_card({material.name, *lobes}));
+    write_contact_sheet(options.sheet, device, cards);
+    fmt::print("{}\n", options.sheet);
 }
 
 }  // namespace
@@ -35,6 +43,8 @@ void add_run(CLI::App& app)
     verb->add_option("SCENE", options->scene, "scene file (TOML)")->required();
     verb->add_option("-o,--output", options->output,
                      "directory for the tables, in place of the scene's");
+    verb->add_option("--sheet", options->sheet,
+                     "PNG with a sphere and a lobe for every material of the scene");
     verb->add_flag("--dry-run", options->dry_run, "Only say size, memory and time");
     options->device.add_to(*verb);
     verb->callback([options] { run(*options); });

@@ -58,7 +58,7 @@ TEST_F(Csv, IsWhatItsReadersExpect)
 # attribute: {"model":"ward"}
 # attribute: {"alpha":0.1}
 theta_i,theta_o,R,G
-degree,degree,1/sr,1/sr
+deg,deg,1/sr,1/sr
 0,22.5,1,2
 0,67.5,0.1,2.5
 90,22.5,1e-07,1000000000
@@ -81,7 +81,7 @@ TEST_F(Csv, FaultsAreWhereTheyAre)
     expect_fault(changed("0.1,2.5", "0.1"), ":14:1: expected 4 fields, not 3");
     expect_fault(changed("theta_i,theta_o,R", "theta_i,R"),
                  ":11:1: expected 'theta_i,theta_o,R,G'");
-    expect_fault(changed("degree,degree", "rad,degree"), ":12:1: expected 'degree,degree,1/sr");
+    expect_fault(changed("deg,deg", "rad,deg"), ":12:1: expected 'deg,deg,1/sr");
     expect_fault(whole + "0,22.5,1,2\n", ":17:1: more than the 4 cells of the table");
 }
 
