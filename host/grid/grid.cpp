@@ -18,18 +18,6 @@ glm::dvec3 direction(double theta, double phi)
     return {polar.sine * cosine_of_degrees(phi), polar.sine * sine_of_degrees(phi), polar.cosine};
 }
 
-/// Rusinkiewicz, EGWR 1998: d = (theta_d, phi_d) in the frame of h, turned by theta_h about y; o is
-/// i mirrored at h.
-std::pair<glm::dvec3, glm::dvec3> rusinkiewicz_vectors(double theta_h, double theta_d, double phi_d)
-{
-    const double sin_h = sine_of_degrees(theta_h), cos_h = cosine_of_degrees(theta_h);
-    const double sin_d = sine_of_degrees(theta_d), cos_d = cosine_of_degrees(theta_d);
-    const double x = sin_d * cosine_of_degrees(phi_d), y = sin_d * sine_of_degrees(phi_d);
-    const auto above = [](double z) { return z > rusinkiewicz_horizon ? z : std::min(z, 0.0); };
-    return {{sin_h * cos_d + cos_h * x, y, above(cos_h * cos_d - sin_h * x)},
-            {sin_h * cos_d - cos_h * x, -y, above(cos_h * cos_d + sin_h * x)}};
-}
-
 }  // namespace
 
 Axis make_axis(const std::string& name, double from, double to, std::size_t count, Samples samples)
@@ -84,22 +72,42 @@ std::pair<glm::dvec3, glm::dvec3> unit_vectors(const DirectionPair& pair)
     return {direction(pair.theta_i, pair.phi_i), direction(pair.theta_o, pair.phi_o)};
 }
 
-std::pair<glm::dvec3, glm::dvec3> unit_vectors(const Grid& grid, std::size_t row,
-                                               std::size_t column)
+GridVectors::GridVectors(const Grid& grid) : kind_(grid.kind)
 {
-    const auto& axes = grid.axes;
-    if (grid.kind == GridKind::anisotropic) {
-        const std::size_t outgoing = row % axes[2].values.size(),
-                          incoming = row / axes[2].values.size();
-        return unit_vectors({axes[0].values[incoming / axes[1].values.size()],
-                             axes[1].values[incoming % axes[1].values.size()],
-                             axes[2].values[outgoing], axes[3].values[column]});
+    for (const Axis& axis : grid.axes) {
+        std::vector<SineCosine>& values = axes_.emplace_back();
+        const bool from_normal = axis.name == "theta_i" || axis.name == "theta_o";
+        for (const double degrees : axis.values) {
+            const PolarAngle polar(from_normal ? degrees : 0);
+            values.push_back(
+                from_normal ? SineCosine{polar.sine, polar.cosine}
+                            : SineCosine{sine_of_degrees(degrees), cosine_of_degrees(degrees)});
+        }
     }
-    const double outer = axes[0].values[row / axes[1].values.size()];
-    const double inner = axes[1].values[row % axes[1].values.size()];
-    if (grid.kind == GridKind::rusinkiewicz)
-        return rusinkiewicz_vectors(outer, inner, axes[2].values[column]);
-    return unit_vectors({outer, 0, inner, axes[2].values[column]});
+}
+
+std::pair<glm::dvec3, glm::dvec3> GridVectors::at(std::size_t row, std::size_t column) const
+{
+    const auto direction = [](SineCosine theta, SineCosine phi) {
+        return glm::dvec3(theta.sine * phi.cosine, theta.sine * phi.sine, theta.cosine);
+    };
+    const SineCosine phi = axes_.back()[column];
+    if (kind_ == GridKind::anisotropic) {
+        const std::size_t outgoing = row % axes_[2].size(), incoming = row / axes_[2].size();
+        return {
+            direction(axes_[0][incoming / axes_[1].size()], axes_[1][incoming % axes_[1].size()]),
+            direction(axes_[2][outgoing], phi)};
+    }
+    const SineCosine outer = axes_[0][row / axes_[1].size()],
+                     inner = axes_[1][row % axes_[1].size()];
+    if (kind_ == GridKind::isotropic) return {direction(outer, {0, 1}), direction(inner, phi)};
+    // Rusinkiewicz, EGWR 1998: d = (theta_d, phi_d) in the frame of h, turned by theta_h about y; o
+    // is i mirrored at h.
+    const double x = inner.sine * phi.cosine, y = inner.sine * phi.sine;
+    const double along = outer.sine * inner.cosine, up = outer.cosine * inner.cosine;
+    const auto above = [](double z) { return z > rusinkiewicz_horizon ? z : std::min(z, 0.0); };
+    return {{along + outer.cosine * x, y, above(up - outer.sine * x)},
+            {along - outer.cosine * x, -y, above(up + outer.sine * x)}};
 }
 
 }  // namespace gonio

@@ -95,6 +95,7 @@ Accuracy AccuracyCheck::finish(const Reference& reference)
     if (step_ > 1) samples_.insert(samples_.end(), extremes_.begin(), extremes_.end());
     std::vector<float> device(samples_.size());
     std::vector<double> expected(samples_.size());
+    const GridVectors vectors(grid_);
     const std::size_t workers = std::max(1U, std::thread::hardware_concurrency());
     {
         std::vector<std::jthread> threads;
@@ -104,8 +105,7 @@ Accuracy AccuracyCheck::finish(const Reference& reference)
                                   end = samples_.size() * (w + 1) / workers;
                 for (std::size_t k = begin; k < end; ++k) {
                     const Sample& sample = samples_[k];
-                    const auto [l, v] =
-                        unit_vectors(grid_, sample.cell / length_, sample.cell % length_);
+                    const auto [l, v] = vectors.at(sample.cell / length_, sample.cell % length_);
                     device[k] = sample.value;
                     expected[k] = l.z > 0 && v.z > 0 ? reference(l, v, sample.channel) : 0;
                     // On the horizon the table holds 0 for a pole; the limit itself is compared.

@@ -31,9 +31,10 @@ Values on_grid(const Device& device, const Material& material, Measure measure, 
         values.device.insert(values.device.end(), rows.planes[0],
                              rows.planes[0] + rows.count * length);
     });
+    const GridVectors vectors(grid);
     values.reference.reserve(values.device.size());
     for (std::size_t k = 0; k < values.device.size(); ++k) {
-        const auto [l, v] = unit_vectors(grid, k / length, k % length);
+        const auto [l, v] = vectors.at(k / length, k % length);
         values.reference.push_back(l.z > 0 && v.z > 0 ? reference(l, v, 0) : 0);
     }
     return values;

@@ -48,11 +48,25 @@ struct DirectionPair {
 /// the horizon, so that a model's limit there can be told from its pole.
 std::pair<glm::dvec3, glm::dvec3> unit_vectors(const DirectionPair& pair);
 
-/// Directions of a Rusinkiewicz grid with a cosine up to here count as below the horizon: f is 0 there.
+/// Directions of a Rusinkiewicz grid with a cosine up to here count as below the horizon: f is 0
+/// there.
 inline constexpr double rusinkiewicz_horizon = 1e-7;
 
-/// The same for cell (row, column) of a grid. Below the horizon of a Rusinkiewicz grid z is 0 or less.
-std::pair<glm::dvec3, glm::dvec3> unit_vectors(const Grid& grid, std::size_t row,
-                                               std::size_t column);
+/// The unit vectors of a grid's cells; the trigonometry of its axes is done once.
+class GridVectors {
+public:
+    explicit GridVectors(const Grid& grid);
+
+    /// To light and viewer. Below the horizon of a Rusinkiewicz grid z is 0 or less.
+    std::pair<glm::dvec3, glm::dvec3> at(std::size_t row, std::size_t column) const;
+
+private:
+    struct SineCosine {
+        double sine, cosine;
+    };
+
+    GridKind kind_;
+    std::vector<std::vector<SineCosine>> axes_;  ///< as the grid's
+};
 
 }  // namespace gonio

@@ -150,9 +150,10 @@ TEST(Grids, MultiplyTheCosineIn)
     const Grid grid = isotropic_grid(4, 4, 16, Samples::centre);
     const Table brdf = compute_table(device_of_width(4), material, Measure::brdf, grid);
     const Table cosine = compute_table(device_of_width(4), material, Measure::brdf_cosine, grid);
+    const GridVectors vectors(grid);
     for (std::size_t row = 0; row < 16; ++row)
         for (std::size_t k = 0; k < 16; ++k) {
-            const double cos_i = unit_vectors(grid, row, k).first.z;
+            const double cos_i = vectors.at(row, k).first.z;
             EXPECT_NEAR(cosine.values[0][row * 16 + k], cos_i * brdf.values[0][row * 16 + k], 1e-6);
         }
 }
