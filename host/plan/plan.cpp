@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compute/horizon.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/job.hpp"
 #include "output/check.hpp"
@@ -114,7 +115,20 @@ private:
         job.where = request.where;
         job.header = make_header(job, *request.quantity, request.solver, axes);
         check_job(job);
+        count_horizon(job);
         return job;
+    }
+
+    /// Says in the header how many samples at exactly 90 degrees hold 0 because the model has no
+    /// limit there.
+    static void count_horizon(Job& job)
+    {
+        if (!touches_horizon(job.grid)) return;
+        std::size_t poles = 0;
+        for (const Material& material : job.materials)
+            poles += count_poles(make_reference(material, job.measure), job.grid,
+                                 job.header.channels.size());
+        job.header.attributes.emplace_back("samples_without_limit", static_cast<double>(poles));
     }
 
     static void check_job(const Job& job)
