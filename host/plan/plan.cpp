@@ -128,7 +128,7 @@ private:
         for (const Material& material : job.materials)
             poles += count_poles(make_reference(material, job.measure), job.grid,
                                  job.header.channels.size());
-        job.header.attributes.emplace_back("samples_without_limit", static_cast<double>(poles));
+        job.header.attributes.emplace_back("horizon.without_limit", static_cast<double>(poles));
     }
 
     static void check_job(const Job& job)
