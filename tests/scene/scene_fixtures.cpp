@@ -57,4 +57,35 @@ std::string refusal(std::string text)
     return {};
 }
 
+std::string bad_output(const std::string& lines)
+{
+    return refusal(SceneText{.output = lines}.text());
+}
+
+std::string bad_material(const std::string& lines)
+{
+    return refusal(SceneText{.material = "name = \"steel\"\n" + lines}.text());
+}
+
+std::string bad_parameter(const std::string& lines)
+{
+    return bad_material("model = \"ward\"\n[material.parameters]\n" + lines);
+}
+
+std::string bad_table(const std::string& lines)
+{
+    return refusal(SceneText{.table = lines}.text());
+}
+
+std::string bad_request(const std::string& lines)
+{
+    return bad_table(fmt::format("material = \"steel\"\nquantity = \"brdf\"\ngrid = {{ {} }}\n{}",
+                                 right_grid, lines));
+}
+
+std::string bad_grid(const std::string& pairs)
+{
+    return refusal(SceneText{.grid = pairs}.text());
+}
+
 }  // namespace gonio::test

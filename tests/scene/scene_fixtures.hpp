@@ -21,4 +21,14 @@ struct SceneText {
 /// where the message must point; it is removed, and the message loses that place.
 std::string refusal(std::string text);
 
+/// refusal() of a scene with these lines in [output], in its [[material]] beside the name, in the
+/// parameters of a Ward material, as the whole [[table]], in it beside what it needs, and with
+/// these pairs as its grid.
+std::string bad_output(const std::string& lines);
+std::string bad_material(const std::string& lines);
+std::string bad_parameter(const std::string& lines);
+std::string bad_table(const std::string& lines);
+std::string bad_request(const std::string& lines);
+std::string bad_grid(const std::string& pairs);
+
 }  // namespace gonio::test

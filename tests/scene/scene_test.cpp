@@ -59,7 +59,13 @@ quantity = "brdf_cosine"
 format = "exr"
 precision = "half"
 compression = "piz"
-grid = { kind = "rusinkiewicz", theta_h = 2, theta_d = 3, phi_d = 4, samples = "node", spacing = "merl" }
+[table.grid]
+kind = "rusinkiewicz"
+theta_h = 2
+theta_d = 3
+phi_d = 4
+samples = "node"
+spacing = "merl"
 )",
                                    "scene.toml");
     EXPECT_EQ(scene.directory, "here");
