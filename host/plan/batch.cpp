@@ -53,9 +53,9 @@ BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make)
     std::ranges::remove_copy_if(jobs, std::back_inserter(unfinished), is_finished);
     check_disk(unfinished);
     prepare_directories(unfinished);
-    double values = 0;
-    for (const Job& job : unfinished) values += static_cast<double>(estimate(job, 1).values);
-    Progress progress(values);
+    double cells = 0;
+    for (const Job& job : unfinished) cells += static_cast<double>(job.header.cells());
+    Progress progress(cells);
     for (const Job& job : unfinished) {
         throw_if_interrupted();
         progress.begin(job.name);

@@ -12,8 +12,8 @@
 
 namespace gonio {
 
-/// Computes a job's table and writes it to job.path; advances the progress by every value (cells
-/// times channels). Returns what happened (device, driver, timings) for the "run" of the sidecar.
+/// Computes a job's table and writes it to job.path; advances the progress by every cell. Returns
+/// what happened (device, driver, timings) for the "run" of the sidecar.
 using MakeTable = std::function<nlohmann::ordered_json(const Job&, Progress&)>;
 
 /// Is there a complete file with this job's definition? Files appear under their names only when

@@ -66,9 +66,8 @@ private:
         for (const auto name : names) {
             const auto [earlier, is_new] = set_by_.emplace(name, value.name());
             if (!is_new)
-                throw UsageError(fmt::format("{}`{}` sets `{}`, which `{}` has set",
-                                             value.where_key(), value.name(), name,
-                                             earlier->second));
+                throw UsageError(fmt::format("{}`{}` and `{}` both set `{}`", value.where_key(),
+                                             earlier->second, value.name(), name));
         }
     }
 

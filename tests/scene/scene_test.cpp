@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "gonio/job.hpp"
+#include "gonio/model.hpp"
 
 namespace gonio {
 namespace {
@@ -18,6 +21,80 @@ TEST(ExampleScenes, AreRightAndCanBePlanned)
         EXPECT_THAT(scene.warnings, testing::IsEmpty());
         EXPECT_FALSE(plan_jobs(scene).empty());
     }
+}
+
+TEST(ExampleScenes, QuickstartHasEveryModel)
+{
+    std::set<std::string_view> ids;
+    const auto scene = load_scene(std::filesystem::path(SCENES) / "quickstart.toml");
+    for (const SceneMaterial& material : scene.materials)
+        for (const Lobe& lobe : std::get<std::vector<Lobe>>(material.made_of))
+            ids.insert(lobe.model->id);
+    for (const Model& model : models()) EXPECT_TRUE(ids.contains(model.id)) << model.id;
+}
+
+TEST(Scene, HoldsWhatTheFileSays)
+{
+    const auto scene = parse_scene(R"(
+[output]
+directory = "here"
+format = "npy"
+
+[[material]]
+name = "paint"
+lobes = [
+    { model = "lambert", weight = 0.5 },
+    { model = "ggx", parameters = { alpha = 0.3, fresnel = "dielectric", eta = [1.4, 1.5, 1.6] } },
+]
+
+[[material]]
+name = "brushed"
+model = "ward"
+parameters = { alpha_x = { values = [0.5, 0.1], as = "files" } }
+
+[[table]]
+name = "table"
+material = "paint"
+quantity = "brdf_cosine"
+format = "exr"
+precision = "half"
+compression = "piz"
+[table.grid]
+kind = "rusinkiewicz"
+theta_h = 2
+theta_d = 3
+phi_d = 4
+samples = "node"
+spacing = "merl"
+)",
+                                   "scene.toml");
+    EXPECT_EQ(scene.directory, "here");
+    ASSERT_EQ(scene.materials.size(), 2U);
+    const auto& lobes = std::get<std::vector<Lobe>>(scene.materials[0].made_of);
+    ASSERT_EQ(lobes.size(), 2U);
+    EXPECT_EQ(lobes[0].weight, std::vector{0.5});
+    EXPECT_EQ(lobes[1].model->id, "torrance_sparrow");
+    EXPECT_EQ(lobes[1].values[lobes[1].model->index_of("alpha_y")], std::vector{0.3});
+    EXPECT_EQ(lobes[1].values[lobes[1].model->index_of("eta")], (std::vector{1.4, 1.5, 1.6}));
+    const auto& sweeps = scene.materials[1].sweeps;
+    ASSERT_EQ(sweeps.size(), 1U);
+    EXPECT_EQ(sweeps[0].parameter, "alpha_x");
+    EXPECT_EQ(sweeps[0].values, (std::vector{0.5, 0.1}));
+    EXPECT_FALSE(sweeps[0].axis);
+    ASSERT_EQ(scene.tables.size(), 1U);
+    const TableRequest& table = scene.tables[0];
+    EXPECT_EQ(table.name, "table");
+    EXPECT_EQ(table.material, 0U);
+    EXPECT_EQ(table.quantity->id, "brdf_cosine");
+    EXPECT_EQ(table.solver, "closed_form");
+    EXPECT_EQ(table.storage.format, "exr");
+    EXPECT_TRUE(table.storage.write.half);
+    EXPECT_EQ(table.storage.write.compression, "piz");
+    EXPECT_EQ(table.grid->kind, GridKind::rusinkiewicz);
+    EXPECT_EQ(table.grid->axes[0].values, (std::vector{0.0, 90.0}));
+    EXPECT_EQ(table.grid->axes[2].values.size(), 4U);
+    EXPECT_THAT(scene.warnings,
+                testing::ElementsAre("scene.toml:13:1: no table is asked of material `brushed`"));
 }
 
 }  // namespace
