@@ -2,8 +2,9 @@
 // Writes a buffer and computes nothing: the roof that tables are measured against.
 #include "core/real.cl"
 
-/// out: count floats, a multiple of WIDTH. Each work-item fills a block of its own, as kernel `table` does.
-kernel void store_only(global float *restrict out, const ulong count)
+/// out: count floats, a multiple of WIDTH. Each work-item fills a block of its own, as kernel
+/// `table` does.
+kernel void store_only(global float* restrict out, const ulong count)
 {
     const ulong vectors = count / WIDTH;
     const ulong begin = vectors * get_global_id(0) / get_global_size(0);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grid cell -> directions -> BRDF -> output, for a tile of rows. The program's first lines, written by the host, include the
-// grid and choose the material (see core/material.cl); options say which symmetries hold:
-//   MIRROR      the columns are symmetric about their middle: half of them are computed and stored twice
-//   RECIPROCAL  rows (i, o) and (o, i) agree: where both are in the tile, one is computed and stored twice
+// Grid cell -> directions -> BRDF -> output, for a tile of rows. The program's first lines, written
+// by the host, include the grid and choose the material (see core/material.cl); options say which
+// symmetries hold:
+//   MIRROR      the columns are symmetric about their middle: half of them are computed and stored
+//   twice RECIPROCAL  rows (i, o) and (o, i) agree: where both are in the tile, one is computed and
+//   stored twice
 #ifndef GRID_ARGUMENTS
 #include "directions/spherical.cl"
 #endif
@@ -15,10 +17,11 @@
 #define RECIPROCAL 0
 #endif
 
-/// out: [channel][row of the tile][column]. Dimension 0 of the work shares columns, dimension 1 rows. length: columns, at least
-/// WIDTH (twice that with MIRROR): a row's last vector overlaps its neighbour instead of passing the end.
-kernel void table(global float *restrict out, global const float *restrict parameters, const uint length,
-                  const ulong first_row, const ulong row_count, GRID_ARGUMENTS)
+/// out: [channel][row of the tile][column]. Dimension 0 of the work shares columns, dimension 1
+/// rows. length: columns, at least WIDTH (twice that with MIRROR): a row's last vector overlaps its
+/// neighbour instead of passing the end.
+kernel void table(global float* restrict out, global const float* restrict parameters,
+                  const uint length, const ulong first_row, const ulong row_count, GRID_ARGUMENTS)
 {
     material m;
     load_material(&m, parameters);
@@ -38,7 +41,8 @@ kernel void table(global float *restrict out, global const float *restrict param
         }
 #endif
         const grid_row row = row_of_grid(GRID_VALUES, length, first_row + r);
-        for (uint column = get_global_id(0) * WIDTH; column < columns; column += get_global_size(0) * WIDTH) {
+        for (uint column = get_global_id(0) * WIDTH; column < columns;
+             column += get_global_size(0) * WIDTH) {
             const uint at = min(column, columns - WIDTH);
             const directions d = directions_of_cell(&row, at);
             real f[CHANNELS];
@@ -46,10 +50,11 @@ kernel void table(global float *restrict out, global const float *restrict param
             FOR_CHANNELS(c)
             {
 #ifdef HORIZON
-                const mask_t above = less((real)(HORIZON), d.cos_i) & less((real)(HORIZON), d.cos_o);
+                const mask_t above =
+                    less((real)(HORIZON), d.cos_i) & less((real)(HORIZON), d.cos_o);
                 f[c] = choose(above, f[c], (real)(R(0.0)));
 #endif
-                global float *to = out + (c * row_count + r) * length;
+                global float* to = out + (c * row_count + r) * length;
                 store(f[c], to + at);
                 if (MIRROR) store(reversed(f[c]), to + (length - WIDTH - at));
 #if RECIPROCAL

@@ -10,9 +10,9 @@
 #include <chrono>
 #include <numbers>
 
-#include "compute/grid_kernel.hpp"
+#include "opencl/grid_kernel.hpp"
 #include "compute/peers.hpp"
-#include "compute/store_rate.hpp"
+#include "opencl/store_rate.hpp"
 
 namespace gonio {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "compute/make_table.hpp"
-#include "compute/store_rate.hpp"
+#include "opencl/store_rate.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/interrupt.hpp"

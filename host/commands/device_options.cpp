@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// -d and --width, which most verbs have.
+// The options that choose a device and a vector width.
 #include "commands/commands.hpp"
 
 namespace gonio {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "compute/store_rate.hpp"
+#include "opencl/store_rate.hpp"
 #include "gonio/errors.hpp"
 
 namespace gonio {

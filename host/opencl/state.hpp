@@ -20,7 +20,7 @@ struct Device::State {
     std::map<std::string, cl::Program> programs;  ///< by options and source
     std::vector<cl::Buffer>
         spare_outputs;             ///< of finished tables: their pages need not be touched again
-    double stored_per_second = 0;  ///< see compute/store_rate.hpp; 0 until measured
+    double stored_per_second = 0;  ///< see opencl/store_rate.hpp; 0 until measured
 };
 
 /// Seconds that a finished command took by the device's clock.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blinn, SIGGRAPH 1977: (n.h)^n, scaled so that the directional albedo at normal incidence is rho_s exactly:
-// (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))).
+// Blinn, SIGGRAPH 1977: (n.h)^n, scaled so that the directional albedo at normal incidence is rho_s
+// exactly: (n + 2)(n + 4) / (8 pi (n + 2^(-n/2))).
 #include "core/lobe.cl"
 
-static inline void blinn_phong_eval(const blinn_phong_params *p, const directions *d, real f[CHANNELS])
+static inline void blinn_phong_eval(const blinn_phong_params* p, const directions* d,
+                                    real f[CHANNELS])
 {
     const float n = p->exponent;
     const real two_to_minus_half_n = exp_of_negative((real)(n * R(0.34657359027997265)));

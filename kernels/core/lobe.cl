@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every reflectance model includes: numbers, directions, channels and the parameter structs made from the registry.
+// What every reflectance model includes: numbers, directions, channels and the parameter structs
+// made from the registry.
 #ifndef GONIO_CORE_LOBE
 #define GONIO_CORE_LOBE
-#include "core/math.cl"
 #include "core/fresnel.cl"
+#include "core/math.cl"
 #include "core/microfacet.cl"
 #include "directions/directions.cl"
 
@@ -15,7 +16,9 @@
 // The options of every choice: enum { torrance_sparrow_ndf_ggx, ... }
 #define CHOICE(id, name, preset, doc) enum {
 #define OPTION(id, name, option, traits, doc) id##_##name##_##option,
-#define END_CHOICE(id, name) };
+#define END_CHOICE(id, name) \
+    }                        \
+    ;
 #include "gonio/shared/models.inc"
 
 // typedef struct { ... } ward_params;
@@ -23,22 +26,28 @@
 #define SCALAR(id, name, unit, least, greatest, preset, doc) float name;
 #define COLOR(id, name, unit, least, greatest, preset, doc) float name[CHANNELS];
 #define CHOICE(id, name, preset, doc) int name;
-#define END_MODEL(id) } id##_params;
+#define END_MODEL(id) \
+    }                 \
+    id##_params;
 #include "gonio/shared/models.inc"
 
-// void ward_load(ward_params *p, global const float **values, constant int **choices): in the order of the block.
-#define MODEL(id, title, citation, traits) \
-    static inline void id##_load(id##_params *p, global const float **values, constant const int **choices) {
+// void ward_load(ward_params *p, global const float **values, constant int **choices): in the order
+// of the block.
+#define MODEL(id, title, citation, traits)                                    \
+    static inline void id##_load(id##_params* p, global const float** values, \
+                                 constant const int** choices)                \
+    {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) p->name = *(*values)++;
-#define COLOR(id, name, unit, least, greatest, preset, doc) FOR_CHANNELS(c) p->name[c] = *(*values)++;
+#define COLOR(id, name, unit, least, greatest, preset, doc) \
+    FOR_CHANNELS(c) p->name[c] = *(*values)++;
 #define CHOICE(id, name, preset, doc) p->name = *(*choices)++;
 #define END_MODEL(id) }
 #include "gonio/shared/models.inc"
 
 /// The reflectance of a facet: FACET_FRESNEL of the registry.
-#define FACET_REFLECTANCE(id, p, c, cos_d)                                                            \
-    ((p)->fresnel == id##_fresnel_conductor    ? fresnel_conductor((p)->eta[c], (p)->k[c], (cos_d))   \
-     : (p)->fresnel == id##_fresnel_dielectric ? fresnel_dielectric((p)->eta[c], (cos_d))             \
-                                               : fresnel_schlick((p)->f0[c], (cos_d)))
+#define FACET_REFLECTANCE(id, p, c, cos_d)                                                        \
+    ((p)->fresnel == id##_fresnel_conductor    ? fresnel_conductor((p)->eta[c], (p)->k[c], cos_d) \
+     : (p)->fresnel == id##_fresnel_dielectric ? fresnel_dielectric((p)->eta[c], cos_d)           \
+                                               : fresnel_schlick((p)->f0[c], cos_d))
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A material as a weighted sum of lobes. The program's first lines, written by the host, define
-//   LOBES      LOBE(0, ward, 0) LOBE(1, lambert, 0) ...: number, model, whether it prints a value that contains cos theta_i
-//   CHOICES    the chosen options of all lobes, in order
-//   MEASURE    measure_as_printed, measure_brdf or measure_brdf_cosine
+//   LOBES      LOBE(0, ward, 0) LOBE(1, lambert, 0) ...: number, model, whether it prints a value
+//   that contains cos theta_i CHOICES    the chosen options of all lobes, in order MEASURE
+//   measure_as_printed, measure_brdf or measure_brdf_cosine
 #ifndef GONIO_CORE_MATERIAL
 #define GONIO_CORE_MATERIAL
 #include "core/lobe.cl"
@@ -23,15 +23,17 @@
 constant const int material_choices[] = {CHOICES};
 
 typedef struct {
-#define LOBE(number, id, is_value) id##_params lobe_##number; float weight_##number[CHANNELS];
+#define LOBE(number, id, is_value) \
+    id##_params lobe_##number;     \
+    float weight_##number[CHANNELS];
     LOBES
 #undef LOBE
 } material;
 
 /// Parameters and weight of each lobe, in the order of the registry.
-static inline void load_material(material *m, global const float *values)
+static inline void load_material(material* m, global const float* values)
 {
-    constant const int *choices = material_choices;
+    constant const int* choices = material_choices;
 #define LOBE(number, id, is_value)                   \
     id##_load(&m->lobe_##number, &values, &choices); \
     FOR_CHANNELS(c) m->weight_##number[c] = *values++;
@@ -40,7 +42,7 @@ static inline void load_material(material *m, global const float *values)
 }
 
 /// The factor between what a model prints and what was asked for.
-static inline real measure_factor(int is_value, const directions *d)
+static inline real measure_factor(int is_value, const directions* d)
 {
 #if MEASURE == measure_brdf
     return is_value ? R(1.0) / d->cos_i : (real)(R(1.0));
@@ -51,15 +53,15 @@ static inline real measure_factor(int is_value, const directions *d)
 #endif
 }
 
-static inline void evaluate_material(const material *m, const directions *d, real f[CHANNELS])
+static inline void evaluate_material(const material* m, const directions* d, real f[CHANNELS])
 {
     FOR_CHANNELS(c) f[c] = (real)(R(0.0));
-#define LOBE(number, id, is_value)                                           \
-    {                                                                        \
-        real lobe[CHANNELS];                                                 \
-        id##_eval(&m->lobe_##number, d, lobe);                               \
-        const real factor = measure_factor(is_value, d);                     \
-        FOR_CHANNELS(c) f[c] += m->weight_##number[c] * (lobe[c] * factor);  \
+#define LOBE(number, id, is_value)                                          \
+    {                                                                       \
+        real lobe[CHANNELS];                                                \
+        id##_eval(&m->lobe_##number, d, lobe);                              \
+        const real factor = measure_factor(is_value, d);                    \
+        FOR_CHANNELS(c) f[c] += m->weight_##number[c] * (lobe[c] * factor); \
     }
     LOBES
 #undef LOBE

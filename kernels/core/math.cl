@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elementary functions: OpenCL's own differ between vector widths and devices. Errors stated here are measured by
-// tests/kernels/math_test.cpp, against double.
+// Elementary functions: OpenCL's own differ between vector widths and devices. Errors stated here
+// are measured by tests/kernels/math_test.cpp, against double.
 #ifndef GONIO_CORE_MATH
 #define GONIO_CORE_MATH
 #include "core/real.cl"
@@ -8,7 +8,8 @@
 /// Adding it rounds a number below 2^22 to an integer, which then stands in the low bits.
 #define ROUNDING_SHIFT R(12582912.0)
 
-/// exp(-q) for q >= 0; 0 where that is below the smallest normal number. Error below 1.3 ulp for q <= 16, 3 ulp beyond.
+/// exp(-q) for q >= 0; 0 where that is below the smallest normal number. Error below 1.3 ulp for q
+/// <= 16, 3 ulp beyond.
 static inline real exp_of_negative(real q)
 {
     const real shifted = fma(q, (real)(R(-1.44269504088896341)), (real)(ROUNDING_SHIFT));
@@ -24,15 +25,17 @@ static inline real exp_of_negative(real q)
     return choose(less(q, (real)(R(87.0))), result, (real)(R(0.0)));
 }
 
-/// log(base + x) for base 0 or 1 and a normal base + x > 0, relatively accurate also where base + x is near 1. Error below 2 ulp.
+/// log(base + x) for base 0 or 1 and a normal base + x > 0, relatively accurate also where base + x
+/// is near 1. Error below 2 ulp.
 static inline real log_of_sum(real base, real x)
 {
-    // base + x = 2^n (1 + f) with 1 + f in [sqrt 1/2, sqrt 2): the offset makes the exponent field round at sqrt 2. f is made
-    // from x itself, so that what the sum rounds away is not lost.
+    // base + x = 2^n (1 + f) with 1 + f in [sqrt 1/2, sqrt 2): the offset makes the exponent field
+    // round at sqrt 2. f is made from x itself, so that what the sum rounds away is not lost.
     const mask_t n = ((bits_of(base + x) + (0x3f800000 - 0x3f3504f3)) >> 23) - 127;
     const real scale = as_real((127 - n) << 23);
     const real f = fma(x, scale, fma(base, scale, (real)(R(-1.0))));
-    // log(1 + f) = 2 artanh s = f - s (f - z P(z)) with s = f / (2 + f), z = s^2: few constants, so that they stay in registers.
+    // log(1 + f) = 2 artanh s = f - s (f - z P(z)) with s = f / (2 + f), z = s^2: few constants, so
+    // that they stay in registers.
     const real s = f / (R(2.0) + f);
     const real z = s * s;
     real p = (real)(R(0.29579949392));
@@ -44,10 +47,16 @@ static inline real log_of_sum(real base, real x)
 }
 
 /// log(x) for normal x > 0.
-static inline real log_of_positive(real x) { return log_of_sum((real)(R(0.0)), x); }
+static inline real log_of_positive(real x)
+{
+    return log_of_sum((real)(R(0.0)), x);
+}
 
 /// log(1 + x) for x > -1.
-static inline real log_of_one_plus(real x) { return log_of_sum((real)(R(1.0)), x); }
+static inline real log_of_one_plus(real x)
+{
+    return log_of_sum((real)(R(1.0)), x);
+}
 
 /// exp(x^2) erfc(x) for x >= 0, as a polynomial in (x - 2)/(x + 2) over 1 + 2 x. Error below 4 ulp.
 static inline real scaled_erfc(real x)

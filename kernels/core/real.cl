@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The width-generic number `real` (float at width 1, floatN else) and its masks. A comparison in OpenCL C is 1 for scalars
-// and -1 for vectors; here a mask has all bits set at every width.
+// The width-generic number `real` (float at width 1, floatN else) and its masks. A comparison in
+// OpenCL C is 1 for scalars and -1 for vectors; here a mask has all bits set at every width.
 #ifndef GONIO_CORE_REAL
 #define GONIO_CORE_REAL
 
@@ -23,35 +23,77 @@ typedef int mask_t;  ///< also the integer of the same width
 #define LESS(a, b) (-(int)((a) < (b)))
 #define bits_of as_int
 #define as_real as_float
-static inline real choose(mask_t mask, real yes, real no) { return mask ? yes : no; }
-static inline real load(global const float *from) { return *from; }
-static inline void store(real value, global float *to) { *to = value; }
-static inline real reversed(real value) { return value; }
+static inline real choose(mask_t mask, real yes, real no)
+{
+    return mask ? yes : no;
+}
+static inline real load(global const float* from)
+{
+    return *from;
+}
+static inline void store(real value, global float* to)
+{
+    *to = value;
+}
+static inline real reversed(real value)
+{
+    return value;
+}
 #else
 typedef JOIN(float, WIDTH) real;
 typedef JOIN(int, WIDTH) mask_t;
 #define LESS(a, b) ((a) < (b))
 #define bits_of JOIN(as_int, WIDTH)
 #define as_real JOIN(as_float, WIDTH)
-static inline real choose(mask_t mask, real yes, real no) { return select(no, yes, mask); }
-static inline real load(global const float *from) { return JOIN(vload, WIDTH)(0, from); }
-static inline void store(real value, global float *to) { JOIN(vstore, WIDTH)(value, 0, to); }
+static inline real choose(mask_t mask, real yes, real no)
+{
+    return select(no, yes, mask);
+}
+static inline real load(global const float* from)
+{
+    return JOIN(vload, WIDTH)(0, from);
+}
+static inline void store(real value, global float* to)
+{
+    JOIN(vstore, WIDTH)(value, 0, to);
+}
 #if WIDTH == 2
-static inline real reversed(real value) { return value.s10; }
+static inline real reversed(real value)
+{
+    return value.s10;
+}
 #elif WIDTH == 4
-static inline real reversed(real value) { return value.s3210; }
+static inline real reversed(real value)
+{
+    return value.s3210;
+}
 #elif WIDTH == 8
-static inline real reversed(real value) { return value.s76543210; }
+static inline real reversed(real value)
+{
+    return value.s76543210;
+}
 #else
-static inline real reversed(real value) { return value.sfedcba9876543210; }
+static inline real reversed(real value)
+{
+    return value.sfedcba9876543210;
+}
 #endif
 #endif
 
-static inline mask_t less(real a, real b) { return LESS(a, b); }
-static inline real square(real x) { return x * x; }
+static inline mask_t less(real a, real b)
+{
+    return LESS(a, b);
+}
+static inline real square(real x)
+{
+    return x * x;
+}
 
 /// x^5
-static inline real fifth_power(real x) { return x * square(square(x)); }
+static inline real fifth_power(real x)
+{
+    return x * square(square(x));
+}
 
 /// One number in two floats, |lo| at most half an ulp of hi.
 typedef struct {
@@ -66,11 +108,17 @@ static inline two_floats two_floats_product(two_floats a, two_floats b)
     return result;
 }
 
-/// a + b, to about an ulp. Where the sum cancels, a.hi + b.hi is exact (Sterbenz 1974) and the low parts give the digits; where
-/// it does not, the low parts do not matter.
-static inline real two_floats_sum(two_floats a, two_floats b) { return (a.hi + b.hi) + (a.lo + b.lo); }
+/// a + b, to about an ulp. Where the sum cancels, a.hi + b.hi is exact (Sterbenz 1974) and the low
+/// parts give the digits; where it does not, the low parts do not matter.
+static inline real two_floats_sum(two_floats a, two_floats b)
+{
+    return (a.hi + b.hi) + (a.lo + b.lo);
+}
 
 /// a - b, likewise.
-static inline real two_floats_difference(two_floats a, two_floats b) { return (a.hi - b.hi) + (a.lo - b.lo); }
+static inline real two_floats_difference(two_floats a, two_floats b)
+{
+    return (a.hi - b.hi) + (a.lo - b.lo);
+}
 
 #endif

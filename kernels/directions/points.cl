@@ -5,11 +5,11 @@
 #include "directions/directions.cl"
 #include "gonio/shared/grid_fields.h"
 
-#define GRID_ARGUMENTS global const float *restrict points
+#define GRID_ARGUMENTS global const float* restrict points
 #define GRID_VALUES points
 
 typedef struct {
-    global const float *points;
+    global const float* points;
     uint length;
 } grid_row;
 
@@ -19,7 +19,7 @@ static inline grid_row row_of_grid(GRID_ARGUMENTS, uint length, ulong index)
     return row;
 }
 
-static inline directions directions_of_cell(const grid_row *row, uint at)
+static inline directions directions_of_cell(const grid_row* row, uint at)
 {
     directions d;
 #define POINT_FIELD(name) load(row->points + (ulong)point_##name * row->length + at)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids over (theta_h, theta_d, phi_d) with the half vector at azimuth 0 (Rusinkiewicz, EGWR 1998). A row runs over phi_d.
-// Cells with a direction below the horizon exist; they are 0.
+// Grids over (theta_h, theta_d, phi_d) with the half vector at azimuth 0 (Rusinkiewicz, EGWR 1998).
+// A row runs over phi_d. Cells with a direction below the horizon exist; they are 0.
 #ifndef GONIO_DIRECTIONS_RUSINKIEWICZ
 #define GONIO_DIRECTIONS_RUSINKIEWICZ
 #include "directions/directions.cl"
@@ -9,7 +9,8 @@
 /// Cosines up to here count as below the horizon: rusinkiewicz_horizon of gonio/grid.hpp.
 #define HORIZON R(1e-7)
 
-#define GRID_ARGUMENTS global const float *restrict half_table, global const float *restrict difference_table
+#define GRID_ARGUMENTS \
+    global const float* restrict half_table, global const float* restrict difference_table
 #define GRID_VALUES half_table, difference_table
 
 typedef struct {
@@ -26,7 +27,7 @@ static inline grid_row row_of_grid(GRID_ARGUMENTS, uint length, ulong index)
 #define ROW_FIELD(name) ((real)(row->half_record[half_##name]))
 #define COLUMN_FIELD(name) load(row->difference_table + (ulong)difference_##name * row->length + at)
 
-static inline directions directions_of_cell(const grid_row *row, uint at)
+static inline directions directions_of_cell(const grid_row* row, uint at)
 {
     directions d;
     const real sin_h = ROW_FIELD(sin_h);
@@ -36,7 +37,8 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     const two_floats cos_phi = {COLUMN_FIELD(cos_hi), COLUMN_FIELD(cos_lo)};
     const real sin_phi = COLUMN_FIELD(sin);
 
-    // n.l, n.v = cos_h cos_d -+ sin_h sin_d cos phi_d: in two floats, since they vanish at the horizon.
+    // n.l, n.v = cos_h cos_d -+ sin_h sin_d cos phi_d: in two floats, since they vanish at the
+    // horizon.
     const two_floats cos_cos = {ROW_FIELD(cos_cos_hi), ROW_FIELD(cos_cos_lo)};
     const two_floats sin_sin = {ROW_FIELD(sin_sin_hi), ROW_FIELD(sin_sin_lo)};
     const two_floats swing = two_floats_product(sin_sin, cos_phi);
@@ -55,7 +57,8 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     d.cos2_d = square(cos_d);
     d.sin2_d = square(sin_d);
     // 1 - r.v = 2 sin^2 theta_h (cos^2 theta_d + sin^2 theta_d cos^2 phi_d), and
-    // r.v = 2 (n.l)(n.v) - cos 2 theta_d = (1 - 2 sin^2 theta_h cos^2 theta_d) - 2 (sin_h sin_d cos phi_d)^2.
+    // r.v = 2 (n.l)(n.v) - cos 2 theta_d = (1 - 2 sin^2 theta_h cos^2 theta_d) - 2 (sin_h sin_d cos
+    // phi_d)^2.
     d.mirror = R(2.0) * square(sin_h) * (square(cos_d) + square(sin_d * cos_phi.hi));
     const two_floats fixed = {ROW_FIELD(fixed_cos_r_hi), ROW_FIELD(fixed_cos_r_lo)};
     const two_floats twice_swing = {R(2.0) * swing.hi, R(2.0) * swing.lo};

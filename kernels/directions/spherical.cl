@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids over (theta_i, phi_i, theta_o, phi_o), and over (theta_i, theta_o, delta phi) with one phi_i. A row runs over phi_o.
+// Grids over (theta_i, phi_i, theta_o, phi_o), and over (theta_i, theta_o, delta phi) with one
+// phi_i. A row runs over phi_o.
 #ifndef GONIO_DIRECTIONS_SPHERICAL
 #define GONIO_DIRECTIONS_SPHERICAL
 #include "directions/directions.cl"
 #include "gonio/shared/grid_fields.h"
 
 /// Tables as gonio/shared/grid_fields.h describes them.
-#define GRID_ARGUMENTS                                                                                \
-    global const float *restrict theta, global const float *restrict phi,                            \
-        global const float *restrict tangent_in, global const float *restrict tangent_out,            \
+#define GRID_ARGUMENTS                                                                     \
+    global const float *restrict theta, global const float *restrict phi,                  \
+        global const float *restrict tangent_in, global const float *restrict tangent_out, \
         const uint count_phi_i, const uint count_theta_o
 #define GRID_VALUES theta, phi, tangent_in, tangent_out, count_phi_i, count_theta_o
 
@@ -23,15 +24,17 @@ static inline grid_row row_of_grid(GRID_ARGUMENTS, uint length, ulong index)
     const ulong incoming = index / count_theta_o;
     const uint a = (uint)(incoming % count_phi_i);
     const uint i = (uint)(incoming / count_phi_i);
-    const grid_row row = {theta + ((ulong)i * count_theta_o + o) * theta_fields, phi + (ulong)a * phi_fields * length,
-                          tangent_in + incoming * tangent_fields, tangent_out + (ulong)o * tangent_fields * length, length};
+    const grid_row row = {theta + ((ulong)i * count_theta_o + o) * theta_fields,
+                          phi + (ulong)a * phi_fields * length,
+                          tangent_in + incoming * tangent_fields,
+                          tangent_out + (ulong)o * tangent_fields * length, length};
     return row;
 }
 
 #define ROW_FIELD(name) ((real)(row->theta[theta_##name]))
 #define COLUMN_FIELD(name) load(row->phi + (ulong)phi_##name * row->length + at)
 
-static inline directions directions_of_cell(const grid_row *row, uint at)
+static inline directions directions_of_cell(const grid_row* row, uint at)
 {
     directions d;
     d.cos_i = ROW_FIELD(cos_i);
@@ -45,10 +48,12 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     const real sin2_half = COLUMN_FIELD(sin2_half_delta);
 
     // Sums of squares: with d = theta_i - theta_o and S = theta_i + theta_o
-    // tan^2 theta_h = tan^2(d/2) sin^2(delta/2) + tan^2(S/2) cos^2(delta/2), and likewise for the others.
+    // tan^2 theta_h = tan^2(d/2) sin^2(delta/2) + tan^2(S/2) cos^2(delta/2), and likewise for the
+    // others.
     d.tan2_h = ROW_FIELD(tan2_half_difference) * sin2_half + ROW_FIELD(tan2_half_sum) * cos2_half;
     d.cos2_d = ROW_FIELD(cos2_half_sum) + sin_sin.hi * cos2_half;
-    // cos theta_h cos theta_d = (cos_i + cos_o)/2, since l + v = 2 cos theta_d h: no division in the loop.
+    // cos theta_h cos theta_d = (cos_i + cos_o)/2, since l + v = 2 cos theta_d h: no division in
+    // the loop.
     d.mean_cos = R(0.5) * (d.cos_i + d.cos_o);
     d.sec2_h = d.cos2_d * (R(1.0) / square(d.mean_cos));
     d.sin2_d = ROW_FIELD(sin2_half_difference) + sin_sin.hi * sin2_half;
@@ -56,8 +61,10 @@ static inline directions directions_of_cell(const grid_row *row, uint at)
     d.azimuth = sin_sin.hi * cos_delta.hi;
     d.cos_r = two_floats_difference(cos_cos, two_floats_product(sin_sin, cos_delta));
 #if !ISOTROPIC
-    const two_floats x_i = {(real)(row->tangent_in[tangent_x_hi]), (real)(row->tangent_in[tangent_x_lo])};
-    const two_floats y_i = {(real)(row->tangent_in[tangent_y_hi]), (real)(row->tangent_in[tangent_y_lo])};
+    const two_floats x_i = {(real)(row->tangent_in[tangent_x_hi]),
+                            (real)(row->tangent_in[tangent_x_lo])};
+    const two_floats y_i = {(real)(row->tangent_in[tangent_y_hi]),
+                            (real)(row->tangent_in[tangent_y_lo])};
 #define TANGENT_FIELD(name) load(row->tangent_out + (ulong)tangent_##name * row->length + at)
     const two_floats x_o = {TANGENT_FIELD(x_hi), TANGENT_FIELD(x_lo)};
     const two_floats y_o = {TANGENT_FIELD(y_hi), TANGENT_FIELD(y_lo)};

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""cli_test.py GONIO: what a user sees of the verbs: output, messages and exit codes; stopping and going on."""
+"""cli_test.py GONIO: what a user sees of the verbs: output, messages, exit codes; going on."""
+
 import json
 import os
 import pathlib
@@ -34,8 +35,14 @@ class Cli(unittest.TestCase):
         self.at = pathlib.Path(self.folder.name)
 
     def gonio(self, *words, code=0, text="", **environment):
-        done = subprocess.run([GONIO, *words], cwd=self.at, input=text, text=True, capture_output=True,
-                              env={**os.environ, **environment})
+        done = subprocess.run(
+            [GONIO, *words],
+            cwd=self.at,
+            input=text,
+            text=True,
+            capture_output=True,
+            env={**os.environ, **environment},
+        )
         self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
         if code:
             self.assertTrue(done.stderr.strip(), "an error without a message")
@@ -51,20 +58,34 @@ class Cli(unittest.TestCase):
         self.assertGreaterEqual(len(json.loads(self.gonio("devices", "--json"))["devices"]), 1)
         models = json.loads(self.gonio("models", "--json"))["models"]
         self.assertIn("torrance_sparrow", [model["id"] for model in models])
-        self.assertEqual(json.loads(self.gonio("models", "ggx", "--json"))["id"], "torrance_sparrow")
+        self.assertEqual(
+            json.loads(self.gonio("models", "ggx", "--json"))["id"], "torrance_sparrow"
+        )
 
     def test_eval_agrees_with_the_reference(self):
         rows = "theta_i,phi_i,theta_o,phi_o\n30,0,30,180\n45,0,20,150\n90,0,10,0\n"
-        for words in (["ggx", "--alpha_x", "0.2", "--alpha_y=0.4"], ["ward", "--rho_s", "0.9,0.7,0.5"]):
+        for words in (
+            ["ggx", "--alpha_x", "0.2", "--alpha_y=0.4"],
+            ["ward", "--rho_s", "0.9,0.7,0.5"],
+        ):
             for row in json.loads(self.gonio("eval", *words, "--json", text=rows))["rows"]:
                 self.assertEqual(len(row["device"]), 3 if "--rho_s" in words else 1)
                 for device, reference in zip(row["device"], row["reference"]):
                     self.assertAlmostEqual(device, reference, delta=1e-5 * abs(reference))
 
     def test_eval_golden_value(self):
-        # Ward 1992 with alpha 0.2, 0.4 at the specular direction of 30 degrees: 1/(4 pi 0.08 cos 30).
-        line = self.gonio("eval", "ward", "--rho_s", "1", "--alpha_x", "0.2", "--alpha_y", "0.4",
-                          text="30,0,30,180\n").splitlines()[1]
+        # At the specular direction of 30 degrees: 1/(4 pi 0.2 0.4 cos 30).
+        line = self.gonio(
+            "eval",
+            "ward",
+            "--rho_s",
+            "1",
+            "--alpha_x",
+            "0.2",
+            "--alpha_y",
+            "0.4",
+            text="30,0,30,180\n",
+        ).splitlines()[1]
         self.assertAlmostEqual(float(line.split(",")[4]), 1.14860187, delta=1e-6)
 
     def test_table_and_info(self):
@@ -72,7 +93,18 @@ class Cli(unittest.TestCase):
             self.gonio("table", "ggx", "--alpha", "0.1", "--grid", "8x8x16", "-o", name)
             info = json.loads(self.gonio("info", name, "--json"))
             self.assertEqual(info["table"]["axes"][0]["name"], "theta_i")
-        self.gonio("table", "ggx", "--grid", "90x90x180", "--kind", "rusinkiewicz", "--spacing", "merl", "-o", "m.binary")
+        self.gonio(
+            "table",
+            "ggx",
+            "--grid",
+            "90x90x180",
+            "--kind",
+            "rusinkiewicz",
+            "--spacing",
+            "merl",
+            "-o",
+            "m.binary",
+        )
         self.assertEqual((self.at / "m.binary").stat().st_size, 12 + 3 * 8 * 90 * 90 * 180)
 
     def test_the_same_request_gives_the_same_bytes(self):
@@ -82,7 +114,9 @@ class Cli(unittest.TestCase):
 
     def test_bad_command_lines(self):
         self.assertIn("did you mean `ward`", self.gonio("table", "wrd", code=2))
-        self.assertIn("did you mean `alpha_x`", self.gonio("table", "ward", "--alpha_z", "1", code=2))
+        self.assertIn(
+            "did you mean `alpha_x`", self.gonio("table", "ward", "--alpha_z", "1", code=2)
+        )
         self.assertIn("1e-05 to 1", self.gonio("table", "ward", "--alpha", "2", code=2))
         self.assertIn("not a number", self.gonio("table", "ward", "--alpha", "wide", code=2))
         self.assertIn("nan", self.gonio("table", "ward", "--alpha", "nan", code=2))
@@ -91,8 +125,12 @@ class Cli(unittest.TestCase):
         self.gonio("table", "ward", "-o", "a.tiff", code=2)
         self.gonio("--nonsense", code=2)
         self.gonio("eval", "ward", "--at", "missing.csv", code=2)
-        self.assertIn("standard input:2:4", self.gonio("eval", "ward", text="1,2,3,4\n10,95,91,0\n", code=2).replace(
-            "standard input:2:7", "standard input:2:4"))
+        self.assertIn(
+            "standard input:2:4",
+            self.gonio("eval", "ward", text="1,2,3,4\n10,95,91,0\n", code=2).replace(
+                "standard input:2:7", "standard input:2:4"
+            ),
+        )
         self.gonio("run", "missing.toml", code=2)
         self.gonio("info", "missing.exr", code=1)
         self.gonio("verify", "--width", "3", code=2)
@@ -102,7 +140,9 @@ class Cli(unittest.TestCase):
 
     def test_devices_that_are_not_there(self):
         self.assertIn("there are:", self.gonio("table", "ward", "-d", "7:7", code=3))
-        self.assertIn("there are:", self.gonio("eval", "ward", text="1,2,3,4", GONIO_DEVICE="no such", code=3))
+        self.assertIn(
+            "there are:", self.gonio("eval", "ward", text="1,2,3,4", GONIO_DEVICE="no such", code=3)
+        )
         nothing = {"OCL_ICD_VENDORS": str(self.at), "OCL_ICD_FILENAMES": ""}
         self.assertIn("pocl-opencl-icd", self.gonio("devices", **nothing))
         self.assertIn("pocl-opencl-icd", self.gonio("verify", code=3, **nothing))
@@ -118,9 +158,13 @@ class Cli(unittest.TestCase):
     def test_a_device_that_is_wrong(self):
         (self.at / "brdf").mkdir()
         (self.at / "brdf/ward.cl").write_text(
-            '#include "core/lobe.cl"\nstatic inline void ward_eval(const ward_params *p, const directions *d, '
-            "real f[CHANNELS])\n{ FOR_CHANNELS(c) f[c] = (real)(R(1.0)); }\n")
-        message = self.gonio("table", "ward", "--grid", "4x4x16", code=5, GONIO_KERNELS=str(self.at))
+            '#include "core/lobe.cl"\n'
+            'static inline void ward_eval(const ward_params *p, const directions *d, '
+            "real f[CHANNELS])\n{ FOR_CHANNELS(c) f[c] = (real)(R(1.0)); }\n"
+        )
+        message = self.gonio(
+            "table", "ward", "--grid", "4x4x16", code=5, GONIO_KERNELS=str(self.at)
+        )
         self.assertIn("expected", message)
         self.assertEqual([path.name for path in self.at.glob("ward*")], [])
         self.gonio("verify", "--quick", "ward", code=5, GONIO_KERNELS=str(self.at))
@@ -140,8 +184,12 @@ class Cli(unittest.TestCase):
         for end in (signal.SIGINT, signal.SIGKILL):
             for path in (self.at / "tables").iterdir():
                 path.unlink()
-            run = subprocess.Popen([GONIO, "run", "scene.toml"], cwd=self.at, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
+            run = subprocess.Popen(
+                [GONIO, "run", "scene.toml"],
+                cwd=self.at,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
             deadline = time.monotonic() + 60
             while not self.finished() and run.poll() is None and time.monotonic() < deadline:
                 time.sleep(0.005)
@@ -149,10 +197,14 @@ class Cli(unittest.TestCase):
             code = run.wait()
             self.assertIn(code, (130, 0) if end == signal.SIGINT else (-9, 0))
             kept = self.finished()
-            self.assertTrue(all(whole[name] == data for name, data in kept.items()), "a half file is visible")
+            self.assertTrue(
+                all(whole[name] == data for name, data in kept.items()), "a half file is visible"
+            )
             self.assertIn(f"{len(kept)} already finished", self.gonio("run", "scene.toml"))
             self.assertEqual(self.finished(), whole)
-            self.assertEqual(list((self.at / "tables").glob(".*")), [], "a temporary was left behind")
+            self.assertEqual(
+                list((self.at / "tables").glob(".*")), [], "a temporary was left behind"
+            )
 
 
 if __name__ == "__main__":

@@ -55,7 +55,8 @@ def head(path, text):
 
 def layout(path, text):
     for number, line in enumerate(text.splitlines(), 1):
-        if len(line) > 100:
+        # A registry is a table, and what info prints is text: their lines are not broken.
+        if len(line) > 100 and not path.endswith((".inc", "describe_test.cpp")):
             yield number, f"{len(line)} columns, 100 are allowed"
         if re.search(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b", line):
             yield number, "unfinished business belongs into an issue"

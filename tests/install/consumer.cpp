@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A program outside of the tree: evaluates a model at a point and over a table, through the public headers.
+// A program outside of the tree: evaluates a model at a point and over a table, through the public
+// headers.
 #include <cmath>
 #include <cstdio>
 #include <gonio/compute.hpp>

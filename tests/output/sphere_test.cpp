@@ -40,7 +40,8 @@ Picture diffuse(glm::vec3 colour)
 TEST(Sphere, EveryPairIsOneOfThreeLightsAndTheViewerInALocalFrame)
 {
     std::set<long> cosines;
-    for (const DirectionPair& pair : Sphere(size).pairs()) {
+    const Sphere sphere(size);
+    for (const DirectionPair& pair : sphere.pairs()) {
         const auto [l, v] = unit_vectors(pair);
         EXPECT_GT(l.z, 0);
         EXPECT_GT(v.z, 0);

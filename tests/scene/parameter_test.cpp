@@ -7,6 +7,7 @@
 namespace gonio {
 namespace {
 
+using test::bad_grid;
 using test::bad_material;
 using test::bad_parameter;
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the host prepares in double for the direction grids, read by C++ and by OpenCL C: the order of the fields.
-// Pairs of fields named _hi and _lo are one number in two floats.
+// What the host prepares in double for the direction grids, read by C++ and by OpenCL C: the order
+// of the fields. Pairs of fields named _hi and _lo are one number in two floats.
 #ifndef GONIO_GRID_FIELDS
 #define GONIO_GRID_FIELDS
 
-/// Per pair (theta_i, theta_o): one record after the other. Differences are made in double, so that no kernel subtracts.
+/// Per pair (theta_i, theta_o): one record after the other. Differences are made in double, so that
+/// no kernel subtracts.
 enum theta_field {
     theta_cos_i,
     theta_cos_o,
@@ -22,10 +23,16 @@ enum theta_field {
 };
 
 /// Per pair (phi_i, phi_o): for each phi_i one run over phi_o per field. delta = phi_o - phi_i.
-enum phi_field { phi_cos2_half_delta, phi_sin2_half_delta, phi_cos_delta_hi, phi_cos_delta_lo, phi_fields };
+enum phi_field {
+    phi_cos2_half_delta,
+    phi_sin2_half_delta,
+    phi_cos_delta_hi,
+    phi_cos_delta_lo,
+    phi_fields
+};
 
-/// Per direction: its part in the tangent plane. Incoming: one record per (theta_i, phi_i); outgoing: for each theta_o one run
-/// over phi_o per field.
+/// Per direction: its part in the tangent plane. Incoming: one record per (theta_i, phi_i);
+/// outgoing: for each theta_o one run over phi_o per field.
 enum tangent_field { tangent_x_hi, tangent_x_lo, tangent_y_hi, tangent_y_lo, tangent_fields };
 
 /// Rusinkiewicz grids, per pair (theta_h, theta_d): one record after the other.
@@ -47,7 +54,8 @@ enum half_field {
 /// Rusinkiewicz grids, per phi_d: one run per field.
 enum difference_field { difference_cos_hi, difference_cos_lo, difference_sin, difference_fields };
 
-/// Lists of points: one run over the points per field, the same quantities that kernels/directions/directions.cl names.
+/// Lists of points: one run over the points per field, the same quantities that
+/// kernels/directions/directions.cl names.
 enum point_field {
     point_cos_i,
     point_cos_o,

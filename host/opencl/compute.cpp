@@ -9,7 +9,7 @@
 #include <array>
 #include <deque>
 
-#include "compute/grid_kernel.hpp"
+#include "opencl/grid_kernel.hpp"
 #include "compute/horizon.hpp"
 #include "compute/symmetry.hpp"
 #include "gonio/errors.hpp"

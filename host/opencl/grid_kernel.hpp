@@ -2,7 +2,7 @@
 // One material on one grid, ready to run tile by tile.
 #pragma once
 
-#include "compute/table_program.hpp"
+#include "opencl/table_program.hpp"
 #include "gonio/compute.hpp"
 #include "grid/direction_tables.hpp"
 #include "opencl/buffers.hpp"

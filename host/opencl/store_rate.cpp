@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The roof of every table: how fast the device writes floats when it computes nothing.
-#include "compute/store_rate.hpp"
+#include "opencl/store_rate.hpp"
 
 #include <algorithm>
 #include <array>

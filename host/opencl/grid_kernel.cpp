@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One material on one grid, ready to run tile by tile.
-#include "compute/grid_kernel.hpp"
+#include "opencl/grid_kernel.hpp"
 
 #include <algorithm>
 #include <chrono>

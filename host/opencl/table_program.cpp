@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The specialised program of a material on a grid, and the parameters that it reads.
-#include "compute/table_program.hpp"
+#include "opencl/table_program.hpp"
 
 #include <fmt/format.h>
 
