@@ -20,6 +20,6 @@ completions() {
 [ "$(completions gonio ta)" = table ]
 [ "$(completions gonio table --gr)" = --grid ]
 
-cmake -S "$here" -B "$prefix/consumer" -D CMAKE_PREFIX_PATH="$prefix" >/dev/null
+cmake -G Ninja -S "$here" -B "$prefix/consumer" -D CMAKE_PREFIX_PATH="$prefix" >/dev/null
 cmake --build "$prefix/consumer" >/dev/null
 (cd "$prefix" && consumer/consumer)

@@ -90,19 +90,6 @@ TEST(Sphere, AHighlightLiesWhereTheNormalHalvesLightAndViewer)
     EXPECT_LT(bright.width(), size / 6);
 }
 
-TEST(Sphere, SlopesAlongXLieAlongCirclesOfLatitude)
-{
-    const auto streak = [](double along_x, double along_y) {
-        const Picture picture = picture_of(
-            [=](double x, double y) { return std::exp(-along_x * x * x - along_y * y * y); });
-        return test::extent_of(
-            picture, [&](int x, int y) { return x + y < size && picture.at(x, y).red > 100; });
-    };
-    const auto narrow_x = streak(400, 10), narrow_y = streak(10, 400);
-    EXPECT_GT(narrow_x.height(), 2 * narrow_x.width());
-    EXPECT_GT(narrow_y.width(), 2 * narrow_y.height());
-}
-
 TEST(Sphere, KeepsColourAndExposesForIt)
 {
     const Picture red = diffuse({0.5f, 0, 0}), brighter = diffuse({4, 0, 0});
