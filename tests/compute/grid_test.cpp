@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 #include "gonio/compute.hpp"
 #include "gonio/errors.hpp"
@@ -12,11 +13,23 @@
 namespace gonio {
 namespace {
 
-/// Shared by all tests of a suite: the programs stay built.
+/// Shared by all tests, so that programs stay built; closed before the process ends, while OpenCL
+/// is still there.
+class Devices : public testing::Environment {
+public:
+    static std::map<unsigned, Device>& opened()
+    {
+        static std::map<unsigned, Device> devices;
+        return devices;
+    }
+    void TearDown() override { opened().clear(); }
+};
+
+const auto* const registered_devices = testing::AddGlobalTestEnvironment(new Devices);
+
 const Device& device_of_width(unsigned width)
 {
-    static std::map<unsigned, Device> devices;
-    return devices.try_emplace(width, "", width).first->second;
+    return Devices::opened().try_emplace(width, "", width).first->second;
 }
 
 std::vector<std::vector<float>> values(const Device& device, const Material& material,
