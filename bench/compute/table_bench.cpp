@@ -10,8 +10,8 @@
 #include <chrono>
 #include <numbers>
 
-#include "opencl/grid_kernel.hpp"
 #include "compute/peers.hpp"
+#include "opencl/grid_kernel.hpp"
 #include "opencl/store_rate.hpp"
 
 namespace gonio {

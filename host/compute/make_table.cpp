@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "opencl/store_rate.hpp"
 #include "gonio/errors.hpp"
+#include "opencl/store_rate.hpp"
 
 namespace gonio {
 namespace {

@@ -9,10 +9,10 @@
 #include <array>
 #include <deque>
 
-#include "opencl/grid_kernel.hpp"
 #include "compute/horizon.hpp"
 #include "compute/symmetry.hpp"
 #include "gonio/errors.hpp"
+#include "opencl/grid_kernel.hpp"
 
 namespace gonio {
 namespace {

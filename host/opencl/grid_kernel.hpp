@@ -2,10 +2,10 @@
 // One material on one grid, ready to run tile by tile.
 #pragma once
 
-#include "opencl/table_program.hpp"
 #include "gonio/compute.hpp"
 #include "grid/direction_tables.hpp"
 #include "opencl/buffers.hpp"
+#include "opencl/table_program.hpp"
 
 namespace gonio {
 
