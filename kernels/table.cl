@@ -41,8 +41,8 @@ kernel void table(global float* restrict out, global const float* restrict param
         }
 #endif
         const grid_row row = row_of_grid(GRID_VALUES, length, first_row + r);
-        for (uint column = get_global_id(0) * WIDTH; column < columns;
-             column += get_global_size(0) * WIDTH) {
+        for (uint column = (uint)get_global_id(0) * WIDTH; column < columns;
+             column += (uint)get_global_size(0) * WIDTH) {
             const uint at = min(column, columns - WIDTH);
             const directions d = directions_of_cell(&row, at);
             real f[CHANNELS];
@@ -54,11 +54,11 @@ kernel void table(global float* restrict out, global const float* restrict param
                     less((real)(HORIZON), d.cos_i) & less((real)(HORIZON), d.cos_o);
                 f[c] = choose(above, f[c], (real)(R(0.0)));
 #endif
-                global float* to = out + (c * row_count + r) * length;
+                global float* to = out + ((ulong)c * row_count + r) * length;
                 store(f[c], to + at);
                 if (MIRROR) store(reversed(f[c]), to + (length - WIDTH - at));
 #if RECIPROCAL
-                to = out + (c * row_count + twin) * length;
+                to = out + ((ulong)c * row_count + twin) * length;
                 if (twin != r) {
                     store(f[c], to + at);
                     if (MIRROR) store(reversed(f[c]), to + (length - WIDTH - at));

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 
 #include "gonio/compute.hpp"
 #include "gonio/errors.hpp"
@@ -25,7 +26,8 @@ public:
     void TearDown() override { opened().clear(); }
 };
 
-const auto* const registered_devices = testing::AddGlobalTestEnvironment(new Devices);
+const auto* const registered_devices =
+    testing::AddGlobalTestEnvironment(std::make_unique<Devices>().release());
 
 const Device& device_of_width(unsigned width)
 {
