@@ -110,9 +110,12 @@ DeviceInfo choose_device(std::string selector)
     const bool numbers = parse_numbers(selector, platform, device);
     std::vector<DeviceInfo> fitting;
     for (const DeviceInfo& info : all) {
-        const auto equal = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
-        const bool named = !std::ranges::search(info.name, selector, equal).empty() ||
-                           !std::ranges::search(info.platform_name, selector, equal).empty();
+        const auto holds_selector = [&](const std::string& name) {
+            const auto equal = [](char a, char b) { return std::tolower(a) == std::tolower(b); };
+            return std::search(name.begin(), name.end(), selector.begin(), selector.end(), equal) !=
+                   name.end();
+        };
+        const bool named = holds_selector(info.name) || holds_selector(info.platform_name);
         if (numbers ? info.platform == platform && info.device == device : named)
             fitting.push_back(info);
     }
