@@ -56,7 +56,7 @@ std::vector<Lobe> variants(const Model& model)
 std::vector<double> sorted(std::vector<double> values)
 {
     std::ranges::sort(values);
-    values.erase(std::ranges::unique(values).begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
     return values;
 }
 
