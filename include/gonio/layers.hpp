@@ -58,7 +58,7 @@ enum class Bottom {
 struct LayeredMedium {
     double n_above = 1;
     double n_below = 1;
-    std::vector<Layer> layers;
+    std::vector<Layer> layers = {};
     Bottom bottom = Bottom::open;
     double bottom_albedo = 0;  ///< of the diffuse bottom, in [0, 1]
 };

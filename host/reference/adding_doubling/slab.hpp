@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reflection and transmission of one homogeneous layer without its interfaces.
+#pragma once
+
+#include "gonio/layers.hpp"
+#include "reference/adding_doubling/directions.hpp"
+#include "reference/adding_doubling/light_operator.hpp"
+
+namespace gonio::reference {
+
+/// The same from above and from below.
+struct Slab {
+    LightOperator reflection;
+    LightOperator transmission;
+};
+
+/// Solves the radiative transfer equation in a layer by doubling, for the part of the light that
+/// goes as cos(mode phi) with the azimuth. mode = 0 is the azimuthal mean and conserves energy to
+/// the last digits. An infinite layer transmits nothing.
+Slab solve_slab(const Layer& layer, const LocalDirections& directions, int mode);
+
+}  // namespace gonio::reference

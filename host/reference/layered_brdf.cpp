@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// Azimuth modes of adding-doubling, summed with their cosines.
+#include "reference/layered_brdf.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "reference/adding_doubling/directions.hpp"
+#include "reference/adding_doubling/stack.hpp"
+
+namespace gonio::reference {
+namespace {
+
+using Eigen::Index;
+
+LayeredBrdf sum_modes(const LayeredMedium& medium, const std::vector<double>& theta_i,
+                      const std::vector<double>& theta_o, const std::vector<double>& delta_phi,
+                      int nodes)
+{
+    constexpr double negligible = 1e-10;  // of the azimuthal mean's largest
+    std::vector<Direction> exact = directions_at(medium.n_above, theta_i);
+    for (const Direction& exit : directions_at(medium.n_above, theta_o)) exact.push_back(exit);
+    const Directions directions = choose_directions(medium, nodes, exact);
+    const auto incident = Eigen::seqN(directions.quadrature, Index(theta_i.size()));
+    const auto exits =
+        Eigen::seqN(directions.quadrature + Index(theta_i.size()), Index(theta_o.size()));
+
+    LayeredBrdf brdf;
+    brdf.values.assign(theta_i.size() * theta_o.size() * delta_phi.size(), 0);
+    // From flux per q to radiance: dq = n^2 cos dOmega / pi.
+    const double radiance = medium.n_above * medium.n_above / std::numbers::pi;
+    double mean = 0, largest = 0;
+    do {
+        const LightOperator reflection = add_layers(medium, directions, brdf.modes).reflection;
+        const Eigen::MatrixXd mode =
+            (brdf.modes == 0 ? 1 : 2) * radiance * reflection.kernel(exits, incident);
+        auto value = brdf.values.begin();
+        for (Index i = 0; i < mode.cols(); ++i) {
+            for (Index o = 0; o < mode.rows(); ++o) {
+                for (const double phi : delta_phi) {
+                    *value++ += mode(o, i) * std::cos(brdf.modes * phi);
+                }
+            }
+        }
+        largest = mode.cwiseAbs().maxCoeff();
+        mean = std::max(mean, largest);
+        ++brdf.modes;
+    } while (largest > negligible * mean);
+    return brdf;
+}
+
+}  // namespace
+
+LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>& theta_i,
+                         const std::vector<double>& theta_o, const std::vector<double>& delta_phi,
+                         int nodes)
+{
+    validate(medium);
+    LayeredBrdf brdf = sum_modes(medium, theta_i, theta_o, delta_phi, nodes);
+    const LayeredBrdf coarse = sum_modes(medium, theta_i, theta_o, delta_phi, coarser(nodes));
+    for (std::size_t i = 0; i < brdf.values.size(); ++i) {
+        const double difference = std::abs(brdf.values[i] - coarse.values[i]);
+        brdf.error = std::max(brdf.error, error_over_difference * difference);
+    }
+    return brdf;
+}
+
+}  // namespace gonio::reference
