@@ -27,104 +27,76 @@ struct Light {
 };
 
 /// A medium solved with one number of nodes.
-class Solved {
-public:
-    Solved(const LayeredMedium& medium, const std::vector<Direction>& exact, int nodes)
-        : directions_(choose_directions(medium, nodes, exact)),
-          stack_(add_layers(medium, directions_, 0)),
-          unscattered_(follow_unscattered(medium, directions_)),
-          specular_(specular_reflectance(medium, directions_))
-    {
-    }
-
-    Light lambertian(double n_above) const
-    {
-        Light light{VectorXd::Zero(directions_.root_weight.size()), 1 / (n_above * n_above)};
-        for (Index i = 0; i < directions_.quadrature; ++i) {
-            const double weight = directions_.root_weight(i) * directions_.root_weight(i);
-            if (directions_.all[std::size_t(i)].normal_squared(n_above) > 0) {
-                light.flux(i) = weight * light.density;
-            }
-        }
-        return light;
-    }
-
-    /// In the exact direction `place`.
-    Light collimated(std::size_t place) const
-    {
-        return {
-            VectorXd::Unit(directions_.root_weight.size(), directions_.quadrature + Index(place))};
-    }
-
-    LightBudget budget(const Light& light) const
-    {
-        const VectorXd& worth = directions_.root_weight;
-        const VectorXd light_in = light.flux.cwiseQuotient(worth);
-        const double reflected = worth_before(worth, stack_.reflection).dot(light_in);
-        const double transmitted = worth_before(worth, stack_.transmission).dot(light_in);
-        const VectorXd kept = stack_.kept * light.flux;
-        const double specular = specular_.matrix().dot(light.flux);
-        const double unscattered = unscattered_.transmitted.matrix().dot(light.flux);
-        return {.specular = specular,
-                .diffuse_reflectance = reflected - specular,
-                .unscattered_transmittance = unscattered,
-                .diffuse_transmittance = transmitted - unscattered,
-                .absorption = {kept.begin(), kept.end() - 1},
-                .bottom_absorption = kept(kept.size() - 1) - transmitted};
-    }
-
-    /// Scattered radiant intensity, 1/sr, at `count` exact directions from `place` on.
-    VectorXd reflected(const Light& light, std::size_t place, std::size_t count) const
-    {
-        return intensity(light, stack_.reflection, unscattered_.reflected, place, count);
-    }
-    VectorXd transmitted(const Light& light, std::size_t place, std::size_t count) const
-    {
-        return intensity(light, stack_.transmission, unscattered_.transmitted, place, count);
-    }
-
-private:
-    VectorXd intensity(const Light& light, const LightOperator& stack,
-                       const Eigen::ArrayXd& unscattered, std::size_t place,
-                       std::size_t count) const
-    {
-        const auto rows = Eigen::seqN(directions_.quadrature + Index(place), Index(count));
-        VectorXd flux =
-            stack.kernel(rows, Eigen::all) * light.flux.cwiseQuotient(directions_.root_weight);
-        flux += light.density * (stack.diagonal.array() - unscattered)(rows).matrix();
-        // From per q to per solid angle: dq = n^2 cos dOmega / pi.
-        for (std::size_t i = 0; i < count; ++i) {
-            const Direction& exit = directions_.all[std::size_t(rows.first()) + i];
-            flux(Index(i)) *= exit.n * exit.n * exit.cosine / pi;
-        }
-        return flux;
-    }
-
-    Directions directions_;
-    Stack stack_;
-    Interface unscattered_;
-    Eigen::ArrayXd specular_;
+struct Solved {
+    Directions directions;
+    Stack stack;
+    Interface unscattered;
+    Eigen::ArrayXd specular;
 };
+
+Light lambertian(const Directions& directions, double n_above)
+{
+    Light light{VectorXd::Zero(directions.size()), 1 / (n_above * n_above)};
+    for (Index i = 0; i < directions.quadrature; ++i) {
+        if (directions.all[std::size_t(i)].normal_squared(n_above) <= 0) continue;
+        light.flux(i) = directions.root_weight(i) * directions.root_weight(i) * light.density;
+    }
+    return light;
+}
+
+LightBudget budget(const Solved& solved, const Light& light)
+{
+    const VectorXd& worth = solved.directions.root_weight;
+    const VectorXd in = light.flux.cwiseQuotient(worth);
+    const double reflected = worth_before(worth, solved.stack.reflection).dot(in);
+    const double transmitted = worth_before(worth, solved.stack.transmission).dot(in);
+    const VectorXd kept = solved.stack.kept * light.flux;
+    const double specular = solved.specular.matrix().dot(light.flux);
+    const double unscattered = solved.unscattered.transmitted.matrix().dot(light.flux);
+    return {.specular = specular,
+            .diffuse_reflectance = reflected - specular,
+            .unscattered_transmittance = unscattered,
+            .diffuse_transmittance = transmitted - unscattered,
+            .absorption = {kept.begin(), kept.end() - 1},
+            .bottom_absorption = kept(kept.size() - 1) - transmitted};
+}
+
+/// What `side` of the stack scatters into exact directions.
+VectorXd intensity(const Directions& directions, const Light& light, const LightOperator& side,
+                   const Eigen::ArrayXd& unscattered, const Places& exits)
+{
+    VectorXd flux =
+        side.kernel(exits, Eigen::all) * light.flux.cwiseQuotient(directions.root_weight);
+    flux += light.density * (side.diagonal.array() - unscattered)(exits).matrix();
+    for (std::size_t i = 0; i < exits.size(); ++i) {  // per solid angle: dq = n^2 cos dOmega / pi
+        const Direction& exit = directions.all[std::size_t(exits[i])];
+        flux(Index(i)) *= exit.n * exit.n * exit.cosine / pi;
+    }
+    return flux;
+}
 
 LayeredSolution solve_once(const LayeredMedium& medium, const LightRequest& request, int nodes)
 {
-    const auto incidence = directions_at(medium.n_above, request.incidence);
-    const auto above = directions_at(medium.n_above, request.exit_above);
-    const auto below = directions_at(medium.n_below, request.exit_below);
-    std::vector<Direction> exact = incidence;
-    exact.insert(exact.end(), above.begin(), above.end());
-    exact.insert(exact.end(), below.begin(), below.end());
-    const Solved solved(medium, exact, nodes);
+    ExactDirections exact;
+    const Places incidence = exact.add(medium.n_above, request.incidence);
+    const Places above = exact.add(medium.n_above, request.exit_above);
+    const Places below = exact.add(medium.n_below, request.exit_below);
+    const Directions directions = choose_directions(medium, nodes, exact);
+    const Solved solved{directions, add_layers(medium, directions, 0),
+                        follow_unscattered(medium, directions),
+                        specular_reflectance(medium, directions)};
     const auto illuminated = [&](const Light& light) {
-        return Illumination{
-            solved.budget(light), solved.reflected(light, incidence.size(), above.size()),
-            solved.transmitted(light, incidence.size() + above.size(), below.size())};
+        return Illumination{budget(solved, light),
+                            intensity(directions, light, solved.stack.reflection,
+                                      solved.unscattered.reflected, directions.of_exact(above)),
+                            intensity(directions, light, solved.stack.transmission,
+                                      solved.unscattered.transmitted, directions.of_exact(below))};
     };
     LayeredSolution solution;
-    for (std::size_t i = 0; i < incidence.size(); ++i) {
-        solution.collimated.push_back(illuminated(solved.collimated(i)));
+    for (const Index place : directions.of_exact(incidence)) {
+        solution.collimated.push_back(illuminated({VectorXd::Unit(directions.size(), place), 0}));
     }
-    solution.diffuse = illuminated(solved.lambertian(medium.n_above));
+    solution.diffuse = illuminated(lambertian(directions, medium.n_above));
     solution.nodes = nodes;
     return solution;
 }

@@ -19,12 +19,10 @@ LayeredBrdf sum_modes(const LayeredMedium& medium, const std::vector<double>& th
                       int nodes)
 {
     constexpr double negligible = 1e-10;  // of the azimuthal mean's largest
-    std::vector<Direction> exact = directions_at(medium.n_above, theta_i);
-    for (const Direction& exit : directions_at(medium.n_above, theta_o)) exact.push_back(exit);
+    ExactDirections exact;
+    const Places incident = exact.add(medium.n_above, theta_i);
+    const Places exits = exact.add(medium.n_above, theta_o);
     const Directions directions = choose_directions(medium, nodes, exact);
-    const auto incident = Eigen::seqN(directions.quadrature, Index(theta_i.size()));
-    const auto exits =
-        Eigen::seqN(directions.quadrature + Index(theta_i.size()), Index(theta_o.size()));
 
     LayeredBrdf brdf;
     brdf.values.assign(theta_i.size() * theta_o.size() * delta_phi.size(), 0);
@@ -34,7 +32,8 @@ LayeredBrdf sum_modes(const LayeredMedium& medium, const std::vector<double>& th
     do {
         const LightOperator reflection = add_layers(medium, directions, brdf.modes).reflection;
         const Eigen::MatrixXd mode =
-            (brdf.modes == 0 ? 1 : 2) * radiance * reflection.kernel(exits, incident);
+            (brdf.modes == 0 ? 1 : 2) * radiance *
+            reflection.kernel(directions.of_exact(exits), directions.of_exact(incident));
         auto value = brdf.values.begin();
         for (Index i = 0; i < mode.cols(); ++i) {
             for (Index o = 0; o < mode.rows(); ++o) {

@@ -43,17 +43,26 @@ std::vector<Part> split(const std::set<double>& indices)
 
 }  // namespace
 
-std::vector<Direction> directions_at(double n, const std::vector<double>& angles)
+Places ExactDirections::add(double n, const std::vector<double>& angles)
 {
-    std::vector<Direction> directions;
+    Places places;
     for (const double angle : angles) {
         if (!(angle >= 0 && angle < std::numbers::pi / 2)) {
             throw UsageError(fmt::format("an angle to the normal of {} degrees must be in [0, 90)",
                                          angle * 180 / std::numbers::pi));
         }
-        directions.push_back({n, std::cos(angle)});
+        const Direction direction{n, std::cos(angle)};
+        const auto found = std::find(all_.begin(), all_.end(), direction);
+        places.push_back(found - all_.begin());
+        if (found == all_.end()) all_.push_back(direction);
     }
-    return directions;
+    return places;
+}
+
+Places Directions::of_exact(Places places) const
+{
+    for (Eigen::Index& place : places) place += quadrature;
+    return places;
 }
 
 int coarser(int nodes)
@@ -61,8 +70,7 @@ int coarser(int nodes)
     return static_cast<int>(std::lround(nodes / std::numbers::sqrt2));
 }
 
-Directions choose_directions(const LayeredMedium& medium, int nodes,
-                             const std::vector<Direction>& exact)
+Directions choose_directions(const LayeredMedium& medium, int nodes, const ExactDirections& exact)
 {
     const int least_in_a_part =
         std::max(1, nodes / 12);  // so that fewer nodes are fewer in every part
@@ -90,7 +98,7 @@ Directions choose_directions(const LayeredMedium& medium, int nodes,
         }
     }
     directions.quadrature = static_cast<Eigen::Index>(directions.all.size());
-    directions.all.insert(directions.all.end(), exact.begin(), exact.end());
+    directions.all.insert(directions.all.end(), exact.all().begin(), exact.all().end());
     root_weight.resize(directions.all.size(), 1.0);
     directions.root_weight = Eigen::Map<const Eigen::VectorXd>(
         root_weight.data(), static_cast<Eigen::Index>(root_weight.size()));

@@ -21,24 +21,40 @@ struct Direction {
     /// (m cos)^2 in a medium of index m, without cancellation; not above 0 where total reflection
     /// keeps it out.
     double normal_squared(double m) const { return (m - n) * (m + n) + n * cosine * n * cosine; }
+
+    bool operator==(const Direction&) const = default;
 };
 
-/// At angles to the normal, rad. Throws UsageError unless they are in [0, pi / 2).
-std::vector<Direction> directions_at(double n, const std::vector<double>& angles);
+using Places = std::vector<Eigen::Index>;
+
+/// Directions that are wanted exactly, each once.
+class ExactDirections {
+public:
+    /// Adds those at angles to the normal, rad, in a medium of index n and returns where they are.
+    /// Throws UsageError unless the angles are in [0, pi / 2).
+    Places add(double n, const std::vector<double>& angles);
+    const std::vector<Direction>& all() const { return all_; }
+
+private:
+    std::vector<Direction> all_;
+};
 
 /// All directions of a problem, those of the quadrature first.
 struct Directions {
     std::vector<Direction> all;
     Eigen::Index quadrature = 0;
     Eigen::VectorXd root_weight;  ///< square root of the weight in q; 1 for the exact directions
+
+    Eigen::Index size() const { return root_weight.size(); }
+    /// From places among the exact directions to places among all.
+    Places of_exact(Places places) const;
 };
 
 /// About `nodes` quadrature directions for the media of a stack, and then the `exact` ones. The
 /// range of q is split at every index squared, where some medium has its critical angle; in each
 /// part the nodes are those of Gauss-Legendre in the cosine of the medium that is at grazing there,
 /// in which radiance has no square root.
-Directions choose_directions(const LayeredMedium& medium, int nodes,
-                             const std::vector<Direction>& exact);
+Directions choose_directions(const LayeredMedium& medium, int nodes, const ExactDirections& exact);
 
 /// How many nodes a solution has whose difference to one with `nodes` tells the error.
 int coarser(int nodes);
