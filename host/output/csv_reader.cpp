@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "gonio/errors.hpp"
+#include "output/check.hpp"
 #include "output/csv_format.hpp"
 #include "output/csv_lines.hpp"
 #include "output/formats.hpp"
@@ -32,6 +33,7 @@ public:
         expect(csv_units(header_));
         index_.assign(header_.axes.size(), 0);
         rows_left_ = header_.rows();
+        require_size();
     }
 
     const TableHeader& header() const override { return header_; }
@@ -53,6 +55,15 @@ private:
     {
         if (!lines_.next()) {
             throw RunError(fmt::format("{}: ends where {} should follow", path_.string(), what));
+        }
+    }
+
+    /// So that no memory is asked for what cannot be there: a cell takes two bytes or more.
+    void require_size() const
+    {
+        if (std::filesystem::file_size(path_) / 2 < header_.cells()) {
+            throw RunError(fmt::format("{}: is too short for the {} cells of its header",
+                                       path_.string(), shape_text(header_)));
         }
     }
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <exception>
 #include <fstream>
-#include <new>
 #include <string_view>
 #include <system_error>
 
@@ -25,12 +25,13 @@ constexpr std::string_view npy_magic = "\x93NUMPY";
 std::string first_bytes(const std::filesystem::path& path)
 {
     std::ifstream file(path, std::ios::binary);
+    const int error = std::filesystem::is_directory(path) ? EISDIR : file ? 0 : errno;
+    if (error != 0) {
+        throw RunError(fmt::format("{}: cannot be read: {}", path.string(),
+                                   std::generic_category().message(error)));
+    }
     std::array<char, 16> bytes = {};
     file.read(bytes.data(), bytes.size());
-    if (file.bad() || (!file && file.gcount() == 0 && errno != 0)) {
-        throw RunError(fmt::format("{}: cannot be read: {}", path.string(),
-                                   std::generic_category().message(errno)));
-    }
     return {bytes.data(), static_cast<std::size_t>(file.gcount())};
 }
 
@@ -96,7 +97,7 @@ Table read_table(const std::filesystem::path& path)
     Table table{header, {}};
     try {
         table.values.assign(header.channels.size(), std::vector<double>(header.cells()));
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {  // bad_alloc or length_error
         throw RunError(fmt::format("{}: a table of {} cells does not fit into memory",
                                    path.string(), shape_text(header)));
     }

@@ -85,6 +85,26 @@ TEST_F(Csv, FaultsAreWhereTheyAre)
     expect_fault(whole + "0,22.5,1,2\n", ":17:1: more than the 4 cells of the table");
 }
 
+TEST_F(Csv, AsksForNoMemoryThatItCannotFill)
+{
+    write_table(path, "csv", tiny());
+    auto text = test::contents(path);
+    std::string values = "0.0";
+    for (int k = 1; k < 3000; ++k) values += ',' + std::to_string(k);
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto start =
+            text.find('[', text.find("\"values\"", axis == 0 ? 0 : text.find("theta_o"))) + 1;
+        text.replace(start, text.find(']', start) - start, values);
+    }
+    test::set_contents(path, text);
+    try {
+        read_header(path);
+        ADD_FAILURE() << "a few lines hold nine million cells";
+    } catch (const RunError& fault) {
+        EXPECT_THAT(fault.what(), HasSubstr("too short for the 3000 x 3000 cells"));
+    }
+}
+
 TEST_F(Csv, MayHaveComeThroughWindows)
 {
     write_table(path, "csv", tiny());

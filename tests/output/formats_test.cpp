@@ -150,6 +150,8 @@ TEST(FileFormats, UnknownOnesAreRefused)
     EXPECT_THROW(make_writer(directory / "a.tiff", "tiff", test::small_header()), UsageError);
     test::set_contents(directory / "a.tiff", "II*");
     EXPECT_THROW(read_table(directory / "a.tiff"), UsageError);
+    test::set_contents(directory / "empty", "");
+    EXPECT_THROW(read_table(directory / "empty"), UsageError);
     EXPECT_THROW(read_table(directory / "missing"), RunError);
     EXPECT_THROW(read_table(directory.path()), RunError);
 }
