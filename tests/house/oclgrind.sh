@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# oclgrind.sh TESTS GONIO: runs every kernel in Oclgrind, which reports accesses out of bounds, races
-# and uninitialised values. It exits 0 whatever it finds: only an empty log is good.
+# oclgrind.sh TESTS GONIO: runs every kernel in Oclgrind, which reports accesses out of bounds,
+# races and uninitialised values. It exits 0 whatever it finds: only an empty log is good.
 set -euo pipefail
 command -v oclgrind >/dev/null || { echo "SKIPPED: oclgrind is not installed"; exit 77; }
 scratch=$(mktemp -d)
@@ -16,8 +16,8 @@ run() {
 run --data-races "$1" --gtest_filter='Registry/EveryModel.*:Grids.*'
 grep -q 'PASSED.* [0-9][0-9] tests' "$scratch/out"
 
-# Uninitialised values, in the code as it is written: Oclgrind does not know LLVM's freeze, which the
-# optimiser puts in.
+# Uninitialised values, in the code as it is written: Oclgrind does not know LLVM's freeze, which
+# the optimiser puts in.
 models=$("$2" models --json | sed -n 's/^ *"id": "\(.*\)",$/\1/p')
 for model in ${models:?}; do
     run --uninitialized --build-options -cl-opt-disable \

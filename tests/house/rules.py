@@ -107,7 +107,7 @@ def opencl_stays_inside(path, text):
 
 
 def owners(path, text):
-    if path.endswith((".cpp", ".hpp")):
+    if path.startswith(("host/", "include/")):
         code = re.sub(r"= *delete\b", "", without_comments(text))
         calls = r"\b(new|delete|malloc|free)\b *[\w(\[]"
         yield from matches(calls, code, "{}: an object owns what is allocated")
