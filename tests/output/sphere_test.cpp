@@ -90,6 +90,27 @@ TEST(Sphere, AHighlightLiesWhereTheNormalHalvesLightAndViewer)
     EXPECT_LT(bright.width(), size / 6);
 }
 
+TEST(Sphere, SlopesAlongXLieAlongCirclesOfLatitude)
+{
+    const glm::dvec3 half = glm::normalize(key + viewer), pole(0, 0.906, 0.423);
+    const glm::dvec3 east = glm::normalize(glm::cross(pole, half)), north = glm::cross(half, east);
+    const auto red = [&](const Picture& picture, glm::dvec3 step) {
+        const glm::dvec3 normal = glm::normalize(half + 0.2 * step);
+        return picture
+            .at(static_cast<int>(size / 2 * (1 + normal.x)),
+                static_cast<int>(size / 2 * (1 - normal.y)))
+            .red;
+    };
+    const Picture narrow_x =
+        picture_of([](double x, double y) { return std::exp(-200 * x * x - y * y); });
+    const Picture narrow_y =
+        picture_of([](double x, double y) { return std::exp(-x * x - 200 * y * y); });
+    for (const double side : {-1, 1}) {
+        EXPECT_GT(red(narrow_x, side * north), 3 * red(narrow_x, side * east));
+        EXPECT_GT(red(narrow_y, side * east), 3 * red(narrow_y, side * north));
+    }
+}
+
 TEST(Sphere, KeepsColourAndExposesForIt)
 {
     const Picture red = diffuse({0.5f, 0, 0}), brighter = diffuse({4, 0, 0});
