@@ -59,6 +59,11 @@ TEST_F(ContactSheet, ShowsEachMaterialInItsColours)
     });
     EXPECT_GT(tinted.count, 20000) << "the red lobe fills most of its half disc";
     EXPECT_LT(tinted.right, card_right);
+
+    // The lobe of the second card leans to the right of the normal, where the mirror direction is.
+    constexpr int plot_x = 557, plot_y = 682;
+    EXPECT_GT(sheet.at(plot_x + 60, plot_y - 70).red, sheet.at(plot_x + 60, plot_y - 70).blue + 20);
+    EXPECT_LT(sheet.at(plot_x - 60, plot_y - 70).red, sheet.at(plot_x - 60, plot_y - 70).blue + 20);
 }
 
 TEST_F(ContactSheet, HasACardForEachAndMoreColumnsForMany)
