@@ -136,13 +136,13 @@ void save(const std::filesystem::path& path, cairo_t* cairo)
     const unsigned char* row = cairo_image_surface_get_data(image);
     std::vector<std::uint8_t> rgb;
     rgb.reserve(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y, row += cairo_image_surface_get_stride(image))
-        for (int x = 0; x < width; ++x) {
-            std::uint32_t pixel = 0;
-            std::memcpy(&pixel, row + 4 * x, sizeof pixel);
+    std::vector<std::uint32_t> pixels(static_cast<std::size_t>(width));
+    for (int y = 0; y < height; ++y, row += cairo_image_surface_get_stride(image)) {
+        std::memcpy(pixels.data(), row, pixels.size() * sizeof pixels[0]);
+        for (const std::uint32_t pixel : pixels)
             for (const int shift : {16, 8, 0})
                 rgb.push_back(static_cast<std::uint8_t>(pixel >> shift & 255));
-        }
+    }
     write_png(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), rgb);
 }
 

@@ -106,9 +106,9 @@ struct Layout {
 
     Box box(std::size_t card) const
     {
-        return {gap + static_cast<double>(card % columns) * (card_width + gap),
-                gap + static_cast<double>(card / columns) * (card_height + gap), card_width,
-                card_height};
+        const std::size_t row = card / columns, column = card % columns;
+        return {gap + static_cast<double>(column) * (card_width + gap),
+                gap + static_cast<double>(row) * (card_height + gap), card_width, card_height};
     }
 };
 

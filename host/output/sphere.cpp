@@ -75,14 +75,18 @@ std::uint32_t argb(glm::vec3 colour, float alpha)
 Sphere::Sphere(int size) : size_(size), coverage_(static_cast<std::size_t>(size * size))
 {
     const double pixel = 2.0 / size;
-    for (std::size_t index = 0; index < coverage_.size(); ++index) {
-        const double left = static_cast<double>(index % static_cast<std::size_t>(size)) * pixel - 1;
-        const double top = 1 - static_cast<double>(index / static_cast<std::size_t>(size)) * pixel;
-        const int count = needs_subdivision(left + pixel / 2, top - pixel / 2, pixel) ? finest : 1;
-        for (int k = 0; k < count * count; ++k)
-            add_sample(index, left + (k % count + 0.5) * pixel / count,
-                       top - (k / count + 0.5) * pixel / count, 1.0 / (count * count));
-    }
+    std::size_t index = 0;
+    for (int row = 0; row < size; ++row)
+        for (int column = 0; column < size; ++column, ++index) {
+            const double left = column * pixel - 1, top = 1 - row * pixel;
+            const bool fine = needs_subdivision(left + pixel / 2, top - pixel / 2, pixel);
+            const int count = fine ? finest : 1;
+            const double step = pixel / count;
+            for (int v = 0; v < count; ++v)
+                for (int u = 0; u < count; ++u)
+                    add_sample(index, left + (u + 0.5) * step, top - (v + 0.5) * step,
+                               1.0 / (count * count));
+        }
 }
 
 void Sphere::add_sample(std::size_t pixel, double x, double y, double part)
