@@ -102,9 +102,14 @@ unsigned Lobe::traits() const
 
 bool Lobe::isotropic() const
 {
-    return std::ranges::all_of(model->both, [this](const Both& both) {
+    const auto agree = [this](const Both& both) {
         return values[model->index_of(both.first)] == values[model->index_of(both.second)];
-    });
+    };
+    const auto is_there = [this](const IsotropicAt& at) {
+        return values[model->index_of(at.name)] == std::vector{at.number};
+    };
+    return std::ranges::all_of(model->both, agree) &&
+           std::ranges::all_of(model->isotropic_at, is_there);
 }
 
 std::size_t Lobe::channels() const
@@ -134,7 +139,7 @@ Lobe default_lobe(std::string_view name)
     }
     Lobe lobe{model, {}, {1.0}};
     for (const Parameter& parameter : model->parameters) lobe.values.push_back({parameter.preset});
-    if (alias != aliases().end()) lobe.set(alias->choice, alias->option);
+    if (alias != aliases().end() && !alias->choice.empty()) lobe.set(alias->choice, alias->option);
     return lobe;
 }
 

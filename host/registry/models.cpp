@@ -15,7 +15,9 @@ struct Builder {
 
     Builder()
     {
-#define MODEL(id, title, citation, traits) models.push_back({#id, title, citation, traits, {}, {}});
+#define MODEL(id, title, citation, traits) \
+    models.push_back({#id, title, citation, traits, {}, {}, {}, {}});
+#define NOTE(id, text) models.back().notes.push_back(text);
 #define SCALAR(id, name, unit, least, greatest, preset, doc) \
     models.back().parameters.push_back(                      \
         {Kind::scalar, #name, unit, least, greatest, preset, doc, {}});
@@ -32,6 +34,7 @@ struct Builder {
     finish_choice(preset_name); \
     }
 #define BOTH(id, alias, first, second) models.back().both.push_back({#alias, #first, #second});
+#define ISOTROPIC_AT(id, name, number) models.back().isotropic_at.push_back({#name, number});
 #define ALIAS(alias, id, choice, option) aliases.push_back({#alias, #id, #choice, #option});
 #include "gonio/shared/models.inc"
     }

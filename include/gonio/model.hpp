@@ -13,7 +13,7 @@ namespace gonio {
 /// What a model or one of its options is; OR-ed together.
 enum Traits : unsigned {
     PLAIN = 0,
-    ONE_WAY = 1,      ///< not reciprocal
+    ONE_WAY = 1,      ///< the BRDF is not reciprocal
     EXPONENTIAL = 2,  ///< accuracy class of exponential and power lobes; algebraic without it
     VALUE = 4,        ///< prints a value that contains cos theta_i, not a BRDF in 1/sr
 };
@@ -43,18 +43,27 @@ struct Both {
     std::string_view alias, first, second;
 };
 
+/// A material is isotropic only if its parameter of that name is that number.
+struct IsotropicAt {
+    std::string_view name;
+    double number;
+};
+
 struct Model {
     std::string_view id, title, citation;
     unsigned traits = PLAIN;
     std::vector<Parameter> parameters;  ///< in the order of the block
     std::vector<Both> both;
+    std::vector<IsotropicAt> isotropic_at;
+    std::vector<std::string_view> notes;  ///< what a user should know: limits, our readings
 
     /// Index of a parameter, or npos.
     std::size_t index_of(std::string_view name) const;
     static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 };
 
-/// A model under the name that people look for: `ggx` is torrance_sparrow with ndf = ggx.
+/// A model under the name that people look for: `ggx` is torrance_sparrow with ndf = ggx. Choice
+/// and option are empty where the alias only names the model.
 struct Alias {
     std::string_view name, model, choice, option;
 };
