@@ -12,15 +12,18 @@ double fresnel_schlick(double f0, double cos_theta)
     return f0 + (1 - f0) * std::pow(1 - cos_theta, 5);
 }
 
+// With N the square of the index and w = sqrt(N - sin^2) the numerators c - w of s light and
+// N c - w of p light are (1 - N)/(c + w) and (N - 1)((N + 1) c^2 - 1)/(N c + w): exact for an index
+// near 1, where they cancel.
 double fresnel_exact(double eta, double k, double cos_theta)
 {
-    const std::complex<double> index(eta, k);
-    const double sin2 = (1 - cos_theta) * (1 + cos_theta);
-    const std::complex<double> cos_inside = std::sqrt(1.0 - sin2 / (index * index));
-    const std::complex<double> s =
-        (cos_theta - index * cos_inside) / (cos_theta + index * cos_inside);
-    const std::complex<double> p =
-        (index * cos_theta - cos_inside) / (index * cos_theta + cos_inside);
+    const std::complex<double> index(eta, k), n2 = index * index;
+    const std::complex<double> excess = (index - 1.0) * (index + 1.0);
+    const double cos2 = cos_theta * cos_theta;
+    const std::complex<double> w = std::sqrt(excess + cos2);
+    const std::complex<double> s = excess / ((cos_theta + w) * (cos_theta + w));
+    const std::complex<double> below = n2 * cos_theta + w;
+    const std::complex<double> p = excess * ((n2 + 1.0) * cos2 - 1.0) / (below * below);
     return 0.5 * (std::norm(s) + std::norm(p));
 }
 

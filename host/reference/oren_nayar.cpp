@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Oren & Nayar, Generalization of Lambert's reflectance model, SIGGRAPH 1994.
+// Oren & Nayar, Generalization of Lambert's reflectance model, SIGGRAPH 1994, and the forms without
+// angles that follow it: Fujii 2012; Portsmouth, Kutz & Hill, EON, JCGT 2025.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,19 +8,95 @@
 #include "reference/params.hpp"
 
 namespace gonio::reference {
+namespace {
 
-/// Oren & Nayar 1994, eq. 30: rho/pi (A + B max(0, cos(phi_o - phi_i)) sin alpha tan beta).
-double oren_nayar(const oren_nayar_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)
+using std::numbers::pi;
+
+struct Angles {
+    double greater, lesser;  ///< of theta_i and theta_o: alpha and beta of the paper
+    double cos_phi;
+};
+
+Angles angles_of(glm::dvec3 l, glm::dvec3 v)
 {
-    const double sigma2 = p.sigma * p.sigma;
-    const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33);
-    const double b = 0.45 * sigma2 / (sigma2 + 0.09);
     const double theta_i = std::atan2(std::hypot(l.x, l.y), l.z);
     const double theta_o = std::atan2(std::hypot(v.x, v.y), v.z);
-    const double cos_phi = std::cos(std::atan2(v.y, v.x) - std::atan2(l.y, l.x));
-    const double alpha = std::max(theta_i, theta_o), beta = std::min(theta_i, theta_o);
-    return p.rho[channel] / std::numbers::pi *
-           (a + b * std::max(0.0, cos_phi) * std::sin(alpha) * std::tan(beta));
+    return {std::max(theta_i, theta_o), std::min(theta_i, theta_o),
+            std::cos(std::atan2(v.y, v.x) - std::atan2(l.y, l.x))};
+}
+
+/// Oren & Nayar 1994, eq. 30: rho/pi (A + B max(0, cos phi) sin alpha tan beta).
+double qualitative(double rho, double sigma, const Angles& at)
+{
+    const double sigma2 = sigma * sigma;
+    const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
+    return rho / pi *
+           (a + b * std::max(0.0, at.cos_phi) * std::sin(at.greater) * std::tan(at.lesser));
+}
+
+/// Oren & Nayar 1994, the fit with all terms: rho/pi (C1 + cos phi C2 tan beta + (1 - |cos phi|) C3
+/// tan((alpha + beta)/2)) of direct light and 0.17 rho^2/pi ... of light reflected twice.
+double full(double rho, double sigma, const Angles& at)
+{
+    const double sigma2 = sigma * sigma, alpha = at.greater, beta = at.lesser;
+    const double part = 2 * beta / pi;
+    const double c1 = 1 - 0.5 * sigma2 / (sigma2 + 0.33);
+    const double c2 = 0.45 * sigma2 / (sigma2 + 0.09) *
+                      (std::sin(alpha) - (at.cos_phi < 0 ? part * part * part : 0));
+    const double c3 = 0.125 * sigma2 / (sigma2 + 0.09) * std::pow(4 * alpha * beta / (pi * pi), 2);
+    const double once = c1 + at.cos_phi * c2 * std::tan(beta) +
+                        (1 - std::abs(at.cos_phi)) * c3 * std::tan((alpha + beta) / 2);
+    const double twice = 0.17 * sigma2 / (sigma2 + 0.13) * (1 - at.cos_phi * part * part);
+    return rho / pi * once + rho * rho / pi * twice;
+}
+
+/// Portsmouth et al. 2025: A = 1/(1 + (1/2 - 2/(3 pi)) r), B = r A, f = rho/pi (A + B s/t) with
+/// s = l.v - (n.l)(n.v) and t = max(n.l, n.v) where s > 0, else 1.
+constexpr double half_minus = 0.5 - 2 / (3 * pi);
+
+double fujii(double rho, double r, glm::dvec3 l, glm::dvec3 v)
+{
+    const double a = 1 / (1 + half_minus * r), s = l.x * v.x + l.y * v.y;
+    return rho / pi * a * (1 + r * s / (s > 0 ? std::max(l.z, v.z) : 1));
+}
+
+/// (1 - E)/(A r) with E = A + B G/pi the albedo of fujii for rho = 1. In G = sin (theta - sin cos)
+/// + 2/3 (tan (1 - sin^3) - sin), tan (1 - sin^3) is sin cos (1 + sin + sin^2)/(1 + sin).
+double missing_energy(glm::dvec3 w)
+{
+    const double sin = std::hypot(w.x, w.y), theta = std::atan2(sin, w.z);
+    const double g =
+        sin * (theta - sin * w.z) + 2.0 / 3 * (sin * w.z * (1 + sin + sin * sin) / (1 + sin) - sin);
+    return half_minus - g / pi;
+}
+
+/// Portsmouth et al. 2025: fujii plus rho_ms/pi (1 - E_i)(1 - E_o)/(1 - E_mean) with
+/// rho_ms = rho^2 E_mean/(1 - rho (1 - E_mean)) and E_mean = A (1 + (2/3 - 28/(15 pi)) r).
+double eon(double rho, double r, glm::dvec3 l, glm::dvec3 v)
+{
+    constexpr double mean_rise = 2.0 / 3 - 28 / (15 * pi);
+    const double a = 1 / (1 + half_minus * r), mean = a * (1 + mean_rise * r);
+    const double rho_ms = rho * rho * mean / (1 - rho * (1 - mean));
+    return fujii(rho, r, l, v) +
+           rho_ms / pi * a * r * missing_energy(l) * missing_energy(v) / (half_minus - mean_rise);
+}
+
+}  // namespace
+
+double oren_nayar(const oren_nayar_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)
+{
+    const double rho = p.rho[channel];
+    switch (p.form) {
+        case oren_nayar_form::full:
+            return full(rho, p.sigma, angles_of(l, v));
+        case oren_nayar_form::fujii:
+            return fujii(rho, p.roughness, l, v);
+        case oren_nayar_form::eon:
+            return eon(rho, p.roughness, l, v);
+        case oren_nayar_form::qualitative:
+            break;
+    }
+    return qualitative(rho, p.sigma, angles_of(l, v));
 }
 
 }  // namespace gonio::reference

@@ -2,7 +2,6 @@
 // Torrance & Sparrow, JOSA 57, 1967, in the form of Walter et al., Microfacet models for
 // refraction, EGSR 2007.
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "reference/facets.hpp"
@@ -38,16 +37,24 @@ double lambda(const torrance_sparrow_params& p, glm::dvec3 w)
     return 0.5 * (std::exp(-a * a) / (a * std::sqrt(std::numbers::pi)) - std::erfc(a));
 }
 
+double masking(const torrance_sparrow_params& p, glm::dvec3 l, glm::dvec3 v, const Half& half)
+{
+    if (p.masking == torrance_sparrow_masking::v_cavity) return v_cavity(l, v, half);
+    const double lambda_l = lambda(p, l), lambda_v = lambda(p, v);
+    if (p.masking == torrance_sparrow_masking::separable)
+        return 1 / ((1 + lambda_l) * (1 + lambda_v));
+    return 1 / (1 + lambda_l + lambda_v);
+}
+
 }  // namespace
 
-/// F D G2 / (4 (n.l)(n.v)) with G2 = 1/(1 + Lambda(l) + Lambda(v)).
+/// F D G/(4 (n.l)(n.v)): Walter et al. 2007, eq. 20.
 double torrance_sparrow(const torrance_sparrow_params& p, glm::dvec3 l, glm::dvec3 v,
                         std::size_t channel)
 {
-    const glm::dvec3 h = glm::normalize(l + v);
-    const double d = p.ndf == torrance_sparrow_ndf::ggx ? ggx(p, h) : beckmann(p, h);
-    const double g = 1 / (1 + lambda(p, l) + lambda(p, v));
-    return facet_reflectance(p, glm::dot(l, h), channel) * d * g / (4 * l.z * v.z);
+    const Half half = half_vector(l, v);
+    const double d = p.ndf == torrance_sparrow_ndf::ggx ? ggx(p, half.h) : beckmann(p, half.h);
+    return facet_reflectance(p, half.cos_d, channel) * d * masking(p, l, v, half) / (4 * l.z * v.z);
 }
 
 }  // namespace gonio::reference

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The series that every wave-optics model of a Gaussian surface ends in.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <numbers>
+
+namespace gonio::reference {
+
+/// W(g, b) = sum over m >= 1 of e^-g g^m/(m! m) e^(-b/m): Beckmann & Spizzichino 1963, 5.3. g, b >=
+/// 0. Relative error below 1e-10 for g up to 1e8.
+double wave_series(double g, double b);
+
+/// pi (tau/lambda)^2 W(g, b): what a surface with the members wavelength (nm), tau (um) and a
+/// height deviation of sigma (um) scatters by diffraction, with g = (2 pi sigma/lambda cosines)^2
+/// and b = (pi tau/lambda |l + v|_xy)^2. Where g depends on incidence alone, this integrates to 1 -
+/// e^-g over the plane of direction cosines.
+template <class Surface>
+double diffracted(const Surface& surface, double sigma, double cosines, glm::dvec3 l, glm::dvec3 v)
+{
+    using std::numbers::pi;
+    const double lambda = surface.wavelength / 1000, lengths = surface.tau / lambda;
+    const double phase = 2 * pi * sigma / lambda * cosines;
+    const double x = l.x + v.x, y = l.y + v.y;
+    const double b = pi * pi * lengths * lengths * (x * x + y * y);
+    return pi * lengths * lengths * wave_series(phase * phase, b);
+}
+
+}  // namespace gonio::reference
