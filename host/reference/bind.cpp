@@ -7,17 +7,22 @@ namespace gonio {
 namespace reference {
 namespace {
 
+double as_asked(double number, Parameters parameters)
+{
+    return parameters == Parameters::rounded ? static_cast<float>(number) : number;
+}
+
 /// Hands out a lobe's numbers in the order of the registry's block.
 class Reader {
 public:
-    explicit Reader(const Lobe& lobe) : lobe_(lobe) {}
-    double scalar() { return lobe_.number(next_++, 0); }
+    Reader(const Lobe& lobe, Parameters parameters) : lobe_(lobe), parameters_(parameters) {}
+    double scalar() { return as_asked(lobe_.number(next_++, 0), parameters_); }
     Color color()
     {
         Color all{};
         const std::size_t count = lobe_.values[next_].size();
         for (std::size_t c = 0; c < max_channels; ++c)
-            all[c] = lobe_.number(next_, c < count ? c : 0);
+            all[c] = as_asked(lobe_.number(next_, c < count ? c : 0), parameters_);
         ++next_;
         return all;
     }
@@ -29,15 +34,16 @@ public:
 
 private:
     const Lobe& lobe_;
+    Parameters parameters_;
     std::size_t next_ = 0;
 };
 
-// Reference bind_ward(const Lobe& lobe): braces are read from left to right.
-#define MODEL(id, title, citation, traits) \
-    Reference bind_##id(const Lobe& lobe)  \
-    {                                      \
-        Reader read(lobe);                 \
-        const id##_params p                \
+// Reference bind_ward(const Lobe& lobe, ...): braces are read from left to right.
+#define MODEL(id, title, citation, traits)                       \
+    Reference bind_##id(const Lobe& lobe, Parameters parameters) \
+    {                                                            \
+        Reader read(lobe, parameters);                           \
+        const id##_params p                                      \
         {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) read.scalar(),
 #define COLOR(id, name, unit, least, greatest, preset, doc) read.color(),
@@ -49,23 +55,23 @@ private:
     }
 #include "gonio/shared/models.inc"
 
-Reference bind(const Lobe& lobe)
+Reference bind(const Lobe& lobe, Parameters parameters)
 {
 #define MODEL(name, title, citation, traits) \
-    if (lobe.model->id == #name) return bind_##name(lobe);
+    if (lobe.model->id == #name) return bind_##name(lobe, parameters);
 #include "gonio/shared/models.inc"
     return {};
 }
 
-double weight(const Lobe& lobe, std::size_t channel)
+double weight(const Lobe& lobe, std::size_t channel, Parameters parameters)
 {
-    return static_cast<float>(lobe.weight[lobe.weight.size() == 1 ? 0 : channel]);
+    return as_asked(lobe.weight[lobe.weight.size() == 1 ? 0 : channel], parameters);
 }
 
 }  // namespace
 }  // namespace reference
 
-Reference make_reference(const Material& material, Measure measure)
+Reference make_reference(const Material& material, Measure measure, Parameters parameters)
 {
     struct Term {
         Reference f;
@@ -74,11 +80,11 @@ Reference make_reference(const Material& material, Measure measure)
     };
     std::vector<Term> terms;
     for (const Lobe& lobe : material.lobes)
-        terms.push_back({reference::bind(lobe), lobe, (lobe.traits() & VALUE) != 0});
-    return [terms, measure](glm::dvec3 l, glm::dvec3 v, std::size_t channel) {
+        terms.push_back({reference::bind(lobe, parameters), lobe, (lobe.traits() & VALUE) != 0});
+    return [terms, measure, parameters](glm::dvec3 l, glm::dvec3 v, std::size_t channel) {
         double sum = 0;
         for (const Term& term : terms) {
-            double f = reference::weight(term.lobe, channel) * term.f(l, v, channel);
+            double f = reference::weight(term.lobe, channel, parameters) * term.f(l, v, channel);
             if (measure == Measure::brdf && term.is_value) f /= l.z;
             if (measure == Measure::brdf_cosine && !term.is_value) f *= l.z;
             sum += f;

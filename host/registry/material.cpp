@@ -124,7 +124,7 @@ double Lobe::number(std::size_t parameter, std::size_t channel) const
     const auto& numbers = values[parameter];
     const double outside = numbers[numbers.size() == 1 ? 0 : channel];
     const bool degrees = model->parameters[parameter].unit == "deg";
-    return static_cast<float>(degrees ? outside * std::numbers::pi / 180 : outside);
+    return degrees ? outside * std::numbers::pi / 180 : outside;
 }
 
 Lobe default_lobe(std::string_view name)

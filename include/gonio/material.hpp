@@ -32,8 +32,7 @@ struct Lobe {
     unsigned traits() const;  ///< of the model and its chosen options
     bool isotropic() const;
     std::size_t channels() const;
-    /// The number that a parameter has in a channel, as the kernels see it: rounded to float,
-    /// angles in radians.
+    /// The number that a parameter has in a channel, angles in radians.
     double number(std::size_t parameter, std::size_t channel) const;
 };
 
@@ -54,10 +53,15 @@ struct Material {
 /// What a kernel or reference is asked for: what the model prints (eval), f_r, or f_r cos theta_i.
 enum class Measure { as_printed, brdf, brdf_cosine };
 
+/// Which parameters a reference works with: those that kernels see, rounded to float, or those
+/// given, to be compared with numbers in the literature.
+enum class Parameters { rounded, as_given };
+
 /// f(l, v, channel) in double from the scalar reference: l, v unit vectors to light and viewer in
-/// the frame where n is +z, l.z, v.z > 0. Parameters are those the kernels see, rounded to float.
+/// the frame where n is +z, l.z, v.z > 0.
 using Reference = std::function<double(glm::dvec3 l, glm::dvec3 v, std::size_t channel)>;
 
-Reference make_reference(const Material& material, Measure measure);
+Reference make_reference(const Material& material, Measure measure,
+                         Parameters parameters = Parameters::rounded);
 
 }  // namespace gonio
