@@ -12,52 +12,61 @@ namespace {
 
 using std::numbers::pi;
 
-struct Angles {
-    double greater, lesser;  ///< of theta_i and theta_o: alpha and beta of the paper
-    double cos_phi;
+/// alpha and beta are the greater and the lesser of theta_i and theta_o. Tangents come from sines
+/// and cosines: angles near 90 degrees have lost their digits.
+struct Pair {
+    double alpha, beta, cos_phi;
+    double sin_alpha, tan_beta, tan_half_sum;
 };
 
-Angles angles_of(glm::dvec3 l, glm::dvec3 v)
+Pair pair_of(glm::dvec3 l, glm::dvec3 v)
 {
-    const double theta_i = std::atan2(std::hypot(l.x, l.y), l.z);
-    const double theta_o = std::atan2(std::hypot(v.x, v.y), v.z);
-    return {std::max(theta_i, theta_o), std::min(theta_i, theta_o),
-            std::cos(std::atan2(v.y, v.x) - std::atan2(l.y, l.x))};
+    const double sin_i = std::hypot(l.x, l.y), sin_o = std::hypot(v.x, v.y);
+    const auto [beta, alpha] = std::minmax({std::atan2(sin_i, l.z), std::atan2(sin_o, v.z)});
+    return {alpha,
+            beta,
+            std::cos(std::atan2(v.y, v.x) - std::atan2(l.y, l.x)),
+            std::max(sin_i, sin_o),
+            std::min(sin_i / l.z, sin_o / v.z),
+            (sin_i + sin_o) / (l.z + v.z)};
 }
 
 /// Oren & Nayar 1994, eq. 30: rho/pi (A + B max(0, cos phi) sin alpha tan beta).
-double qualitative(double rho, double sigma, const Angles& at)
+double qualitative(double rho, double sigma, const Pair& at)
 {
     const double sigma2 = sigma * sigma;
     const double a = 1 - 0.5 * sigma2 / (sigma2 + 0.33), b = 0.45 * sigma2 / (sigma2 + 0.09);
-    return rho / pi *
-           (a + b * std::max(0.0, at.cos_phi) * std::sin(at.greater) * std::tan(at.lesser));
+    return rho / pi * (a + b * std::max(0.0, at.cos_phi) * at.sin_alpha * at.tan_beta);
 }
 
 /// Oren & Nayar 1994, the fit with all terms: rho/pi (C1 + cos phi C2 tan beta + (1 - |cos phi|) C3
-/// tan((alpha + beta)/2)) of direct light and 0.17 rho^2/pi ... of light reflected twice.
-double full(double rho, double sigma, const Angles& at)
+/// tan((alpha + beta)/2)) of direct light and 0.17 rho^2/pi ... of light reflected twice. Above 37
+/// degrees the fit is negative where both graze on opposite sides: 0 there.
+double full(double rho, double sigma, const Pair& at)
 {
-    const double sigma2 = sigma * sigma, alpha = at.greater, beta = at.lesser;
-    const double part = 2 * beta / pi;
+    const double sigma2 = sigma * sigma, part = 2 * at.beta / pi;
     const double c1 = 1 - 0.5 * sigma2 / (sigma2 + 0.33);
     const double c2 = 0.45 * sigma2 / (sigma2 + 0.09) *
-                      (std::sin(alpha) - (at.cos_phi < 0 ? part * part * part : 0));
-    const double c3 = 0.125 * sigma2 / (sigma2 + 0.09) * std::pow(4 * alpha * beta / (pi * pi), 2);
-    const double once = c1 + at.cos_phi * c2 * std::tan(beta) +
-                        (1 - std::abs(at.cos_phi)) * c3 * std::tan((alpha + beta) / 2);
+                      (at.sin_alpha - (at.cos_phi < 0 ? part * part * part : 0));
+    const double c3 =
+        0.125 * sigma2 / (sigma2 + 0.09) * std::pow(4 * at.alpha * at.beta / (pi * pi), 2);
+    const double once =
+        c1 + at.cos_phi * c2 * at.tan_beta + (1 - std::abs(at.cos_phi)) * c3 * at.tan_half_sum;
     const double twice = 0.17 * sigma2 / (sigma2 + 0.13) * (1 - at.cos_phi * part * part);
-    return rho / pi * once + rho * rho / pi * twice;
+    return std::max(0.0, rho / pi * once + rho * rho / pi * twice);
 }
 
-/// Portsmouth et al. 2025: A = 1/(1 + (1/2 - 2/(3 pi)) r), B = r A, f = rho/pi (A + B s/t) with
-/// s = l.v - (n.l)(n.v) and t = max(n.l, n.v) where s > 0, else 1.
 constexpr double half_minus = 0.5 - 2 / (3 * pi);
 
+/// Portsmouth et al. 2025: A = 1/(1 + (1/2 - 2/(3 pi)) r), B = r A, f = rho/pi (A + B s/t) with
+/// s = l.v - (n.l)(n.v) and t = max(n.l, n.v) where s > 0, else 1. Where 1 + r s cancels, 1 + s is
+/// half of |l + v|^2 without 2 (n.l)(n.v).
 double fujii(double rho, double r, glm::dvec3 l, glm::dvec3 v)
 {
     const double a = 1 / (1 + half_minus * r), s = l.x * v.x + l.y * v.y;
-    return rho / pi * a * (1 + r * s / (s > 0 ? std::max(l.z, v.z) : 1));
+    const double x = l.x + v.x, y = l.y + v.y;
+    const double one_plus_s = (x * x + y * y + l.z * l.z + v.z * v.z) / 2;
+    return rho / pi * a * (s > 0 ? 1 + r * s / std::max(l.z, v.z) : 1 - r + r * one_plus_s);
 }
 
 /// (1 - E)/(A r) with E = A + B G/pi the albedo of fujii for rho = 1. In G = sin (theta - sin cos)
@@ -88,7 +97,7 @@ double oren_nayar(const oren_nayar_params& p, glm::dvec3 l, glm::dvec3 v, std::s
     const double rho = p.rho[channel];
     switch (p.form) {
         case oren_nayar_form::full:
-            return full(rho, p.sigma, angles_of(l, v));
+            return full(rho, p.sigma, pair_of(l, v));
         case oren_nayar_form::fujii:
             return fujii(rho, p.roughness, l, v);
         case oren_nayar_form::eon:
@@ -96,7 +105,7 @@ double oren_nayar(const oren_nayar_params& p, glm::dvec3 l, glm::dvec3 v, std::s
         case oren_nayar_form::qualitative:
             break;
     }
-    return qualitative(rho, p.sigma, angles_of(l, v));
+    return qualitative(rho, p.sigma, pair_of(l, v));
 }
 
 }  // namespace gonio::reference

@@ -43,17 +43,16 @@ double shadowing(Part part)
 }  // namespace
 
 /// The value Q_d + Q_s: Q_d = n.l (1 - m s) r_d c with r_d = (1 - s^3)(1 - t), and
-/// Q_s = (r.v)^(3/(1 - s)) r_j c_s with r_n = 1 - t - r_d, j = F(l) G(l) G(v),
+/// Q_s = (r.v)^(3/(1 - s)) r_j c_s with r_n = 1 - t - r_d = s^3 (1 - t), j = F(l) G(l) G(v),
 /// r_j = min(1, r_n + (r_n + 0.1) j), c_s = 1 + m (1 - F(l))(c - 1).
 double strauss(const strauss_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel)
 {
     const double s = p.smoothness, m = p.metalness, color = p.c[channel];
-    const double r_d = (1 - s * s * s) * (1 - p.transparency);
+    const double r_n = s * s * s * (1 - p.transparency), r_d = 1 - p.transparency - r_n;
     const double diffuse = l.z * (1 - m * s) * r_d * color;
 
     const Part light = part_of_right_angle(l), viewer = part_of_right_angle(v);
     const double f = fresnel_like(light), j = f * shadowing(light) * shadowing(viewer);
-    const double r_n = 1 - p.transparency - r_d;
     const double r_j = std::min(1.0, r_n + (r_n + 0.1) * j);
     const double c_s = 1 + m * (1 - f) * (color - 1);
     return diffuse + power(cosine_to_mirror(l, v), 3 / (1 - s)) * r_j * c_s;
