@@ -22,7 +22,8 @@ public:
         const auto name = model.text();
         lobe_ = located(model.where(), [&] { return default_lobe(name); });
         const auto alias = std::ranges::find(aliases(), name, &Alias::name);
-        if (alias != aliases().end()) set_by_.emplace(alias->choice, alias->name);
+        if (alias != aliases().end() && !alias->choice.empty())
+            set_by_.emplace(alias->choice, alias->name);
     }
 
     void read(const Value& value)

@@ -55,6 +55,40 @@ TEST(PublishedTest, MaskingAboveOneIsAnArtefactOfWaltersRationalFit)
     EXPECT_NEAR(smith("beckmann alpha=0.5", cosine), 0.9982, 5e-5);
 }
 
+/// Smith's Lambda of the distribution (2 + 1/r) sin^(1/r)/(2 pi): the projected area of the facets
+/// that a direction sees, over its cosine, is 1 + Lambda.
+double lambda_of_charlie(double roughness, double mu)
+{
+    const glm::dvec3 w = direction_of_cosine(mu, 0);
+    constexpr int count = 400;
+    double area = 0;
+    for (int i = 0; i < count; ++i) {
+        const double theta = (i + 0.5) / count * pi / 2, sin = std::sin(theta);
+        const double d = (2 + 1 / roughness) * std::pow(sin, 1 / roughness) / (2 * pi);
+        double seen = 0;
+        for (int j = 0; j < count; ++j)
+            seen +=
+                std::max(0.0, w.x * sin * std::cos((j + 0.5) / count * pi) + mu * std::cos(theta));
+        area += 2 * seen * pi / count * d * sin * pi / 2 / count;
+    }
+    return area / mu - 1;
+}
+
+// The constants that Estevez & Kulla print fit at both ends of their range, and 20 % off between.
+TEST(PublishedTest, MaskingOfCharlieIsAFitToSmiths)
+{
+    const glm::dvec3 n(0, 0, 1);
+    for (const double roughness : {0.1, 1.0})
+        for (const double mu : {0.05, 0.2, 0.4, 0.6, 0.8}) {
+            const glm::dvec3 l = direction_of_cosine(mu, 0);
+            const std::string lobe = "charlie roughness=" + std::to_string(roughness);
+            const double neubelt = reference_of(lobe)(l, n), ours = 1 / (4 * (mu + 1 - mu));
+            const double v = reference_of(lobe + " masking=smith")(l, n) / neubelt * ours;
+            const double fit = 1 / (4 * mu * v) - 1;  // Lambda(l) + Lambda(n), and Lambda(n) is 0
+            EXPECT_NEAR(fit / lambda_of_charlie(roughness, mu), 1, 0.05) << roughness << " " << mu;
+        }
+}
+
 // MDL SDK (ggx_smith), three.js and Cycles for roughness 1
 TEST(PublishedTest, AlbedoOfRoughGgx)
 {
