@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 
+#include "reference/fresnel.hpp"
 #include "reference/reference_fixtures.hpp"
 
 namespace gonio {
@@ -150,6 +151,23 @@ TEST(IdentityTest, WavesWithoutFresnel)
                      const double cos_d = glm::length(l + v) / 2;
                      return std::pow(cos_d / h.z, 2) / (l.z * v.z);
                  });
+}
+
+// Every rough surface reflects by what its facets do at theta_d, but Harvey & Shack's by the mean
+// at theta_i and theta_o.
+TEST(IdentityTest, FacetsReflectByFresnel)
+{
+    const auto glass = [](double cosine) { return reference::fresnel_exact(1.5, 0, cosine); };
+    const auto at_facet = [&](auto l, auto v) { return glass(glm::length(l + v) / 2); };
+    for (const std::string lobe : {"cook_torrance", "ggx", "torrance_sparrow_1967",
+                                   "beckmann_kirchhoff", "vernold_harvey", "he_torrance"}) {
+        SCOPED_TRACE(lobe);
+        expect_ratio(reference_of(lobe + " fresnel=dielectric eta=1.5"), reference_of(lobe),
+                     at_facet);
+    }
+    expect_ratio(reference_of("harvey_shack fresnel=dielectric eta=1.5"),
+                 reference_of("harvey_shack"),
+                 [&](auto l, auto v) { return std::sqrt(glass(l.z) * glass(v.z)); });
 }
 
 // The Gaussian in the angle of 1967 and Beckmann's in the slope agree for narrow lobes.

@@ -54,10 +54,12 @@ TEST(ModelsTest, DefaultLobesAreIsotropicAndSet)
     for (const Model& model : models()) {
         const Lobe lobe = default_lobe(model.id);
         EXPECT_TRUE(lobe.isotropic()) << model.id;
-        for (std::size_t k = 0; k < lobe.values.size(); ++k)
-            if (const Parameter& parameter = model.parameters[k]; parameter.kind == Kind::choice)
-                EXPECT_LT(lobe.values[k][0], static_cast<double>(parameter.options.size()))
-                    << model.id << " " << parameter.name;
+        for (std::size_t k = 0; k < lobe.values.size(); ++k) {
+            const Parameter& parameter = model.parameters[k];
+            if (parameter.kind != Kind::choice) continue;
+            EXPECT_LT(lobe.values[k][0], static_cast<double>(parameter.options.size()))
+                << model.id << " " << parameter.name;
+        }
     }
 }
 
