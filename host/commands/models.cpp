@@ -34,7 +34,9 @@ nlohmann::ordered_json json_of(const Model& model)
                                 {"citation", model.citation},
                                 {"reciprocal", (model.traits & ONE_WAY) == 0},
                                 {"measure", (model.traits & VALUE) != 0 ? "value" : "brdf"},
+                                {"notes", nlohmann::ordered_json::array()},
                                 {"parameters", nlohmann::ordered_json::array()}};
+    for (const std::string_view note : model.notes) json["notes"].push_back(note);
     for (const Parameter& parameter : model.parameters)
         json["parameters"].push_back(json_of(parameter));
     for (const Both& both : model.both)
@@ -61,6 +63,12 @@ void print(const Parameter& parameter)
                parameter.kind == Kind::color ? "; one number or one per channel" : "");
 }
 
+/// " (ndf = ggx)", or nothing where the alias only names its model.
+std::string setting_of(const Alias& alias)
+{
+    return alias.choice.empty() ? "" : fmt::format(" ({} = {})", alias.choice, alias.option);
+}
+
 void print(const Model& model)
 {
     fmt::print("{}: {}\n{}\n", model.id, model.title, model.citation);
@@ -68,9 +76,10 @@ void print(const Model& model)
                (model.traits & VALUE) != 0 ? "prints a value that contains cos theta_i: quantity "
                                              "brdf is that value divided by cos theta_i"
                                            : "a BRDF in 1/sr");
+    for (const std::string_view note : model.notes) fmt::print("{}\n", note);
     for (const Alias& alias : aliases())
         if (alias.model == model.id)
-            fmt::print("Also known as {}: {} = {}.\n", alias.name, alias.choice, alias.option);
+            fmt::print("Also known as {}{}.\n", alias.name, setting_of(alias));
     fmt::print("\nParameters\n");
     for (const Parameter& parameter : model.parameters) print(parameter);
     for (const Both& both : model.both)
@@ -86,9 +95,9 @@ void list(bool json)
         return;
     }
     for (const Model& model : models())
-        fmt::print("{:<18} {}. {}\n", model.id, model.title, model.citation);
+        fmt::print("{:<21} {}. {}\n", model.id, model.title, model.citation);
     for (const Alias& alias : aliases())
-        fmt::print("{:<18} {} with {} = {}\n", alias.name, alias.model, alias.choice, alias.option);
+        fmt::print("{:<21} {}{}\n", alias.name, alias.model, setting_of(alias));
     fmt::print("\n`gonio models ID` says more about one of them.\n");
 }
 

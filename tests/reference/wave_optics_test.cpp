@@ -105,7 +105,7 @@ TEST(WaveOpticsTest, TotalIntegratedScatter)
     const auto missing = [](double sigma, double mu) {
         return 1 - std::exp(-std::pow(4 * pi * sigma * mu / 0.5, 2));
     };
-    for (const double sigma : {0.005, 0.05, 0.2}) {
+    for (const double sigma : {0.01, 0.1}) {
         EXPECT_NEAR(scattered("original", sigma, 1), missing(sigma, 1), 1e-9) << sigma;
         EXPECT_NEAR(scattered("original", sigma, 0.8), missing(sigma, 1), 1e-9) << sigma;
         EXPECT_NEAR(scattered("modified", sigma, 0.8), missing(sigma, 0.8), 1e-9) << sigma;
