@@ -14,8 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Slopes that geometrical optics sees: m = 2 sigma/tau, and g of about 1e8.
-constexpr double slope = 0.2;
+// What geometrical optics sees: facets of m = 2 sigma/tau = 0.2, and g of about 1e7.
 const std::string rough = " wavelength=200 sigma=100 tau=1000";
 
 const std::array<Geometry, 4> around_the_mirror{{{direction(30, 0), direction(30, 180)},
