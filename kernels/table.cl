@@ -2,9 +2,10 @@
 // Grid cell -> directions -> BRDF -> output, for a tile of rows. The program's first lines, written
 // by the host, include the grid and choose the material (see core/material.cl); options say which
 // symmetries hold:
-//   MIRROR      the columns are symmetric about their middle: half of them are computed and stored
-//   twice RECIPROCAL  rows (i, o) and (o, i) agree: where both are in the tile, one is computed and
-//   stored twice
+//   - MIRROR: the columns are symmetric about their middle: half of them are computed and stored
+//     twice
+//   - RECIPROCAL: rows (i, o) and (o, i) agree: where both are in the tile, one is computed and
+//     stored twice
 #ifndef GRID_ARGUMENTS
 #include "directions/spherical.cl"
 #endif

@@ -2,6 +2,7 @@
 // The tables that a grid's kernel reads, made in double.
 #include "grid/direction_tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gonio/shared/grid_fields.h"
@@ -25,6 +26,8 @@ std::vector<float> theta_table(const std::vector<PolarAngle>& incoming,
             const PolarPair pair(i, o);
             record[theta_cos_i] = high_part(i.cosine);
             record[theta_cos_o] = high_part(o.cosine);
+            record[theta_cos_i_lo] = low_part(i.cosine);
+            record[theta_cos_o_lo] = low_part(o.cosine);
             record[theta_sin_i] = high_part(i.sine);
             record[theta_sin_o] = high_part(o.sine);
             record[theta_tan2_half_difference] = high_part(pair.tan2_half_difference);
@@ -109,7 +112,7 @@ DirectionTables rusinkiewicz_tables(const Grid& grid)
             const PolarAngle h(theta_h), d(theta_d);
             const double cos_cos = h.cosine * d.cosine, sin_sin = h.sine * d.sine;
             const double tan_h = h.sine / h.cosine;
-            const double along = h.sine * d.cosine, fixed_cos_r = 1 - 2 * along * along;
+            const double l_v = (d.cosine - d.sine) * (d.cosine + d.sine);
             record[half_sin_h] = high_part(h.sine);
             record[half_cos_h] = high_part(h.cosine);
             record[half_sin_d] = high_part(d.sine);
@@ -119,8 +122,8 @@ DirectionTables rusinkiewicz_tables(const Grid& grid)
             record[half_cos_cos_lo] = low_part(cos_cos);
             record[half_sin_sin_hi] = high_part(sin_sin);
             record[half_sin_sin_lo] = low_part(sin_sin);
-            record[half_fixed_cos_r_hi] = high_part(fixed_cos_r);
-            record[half_fixed_cos_r_lo] = low_part(fixed_cos_r);
+            record[half_l_v_hi] = high_part(l_v);
+            record[half_l_v_lo] = low_part(l_v);
             record += half_fields;
         }
     const std::vector<double>& phi_d = grid.axes[2].values;
@@ -159,8 +162,12 @@ DirectionTables direction_tables(const std::vector<DirectionPair>& points)
         const auto put = [&](point_field field, double value) {
             table[field * length + k] = high_part(value);
         };
-        put(point_cos_i, i.cosine);
-        put(point_cos_o, o.cosine);
+        const auto put_both = [&](point_field high, point_field low, double value) {
+            put(high, value);
+            put(low, value - static_cast<double>(high_part(value)));
+        };
+        put_both(point_cos_i, point_cos_i_lo, i.cosine);
+        put_both(point_cos_o, point_cos_o_lo, o.cosine);
         put(point_sin_i, i.sine);
         put(point_sin_o, o.sine);
         put(point_tan2_h, polar.tan2_half_difference * azimuth.sin2_half +
@@ -169,13 +176,18 @@ DirectionTables direction_tables(const std::vector<DirectionPair>& points)
         put(point_sin2_d, polar.sin2_half_difference + polar.sin_sin * azimuth.sin2_half);
         put(point_mirror, 2 * (polar.sin2_half_difference + polar.sin_sin * azimuth.cos2_half));
         put(point_cos_r, polar.cos_cos - polar.sin_sin * azimuth.cosine);
-        put(point_azimuth, polar.sin_sin * azimuth.cosine);
+        put_both(point_cos_cos_hi, point_cos_cos_lo, polar.cos_cos);
+        put_both(point_tangent_hi, point_tangent_lo, polar.sin_sin * azimuth.cosine);
+        put(point_cos_phi, azimuth.cosine);
+        put(point_out_of_plane, 2 * std::min(azimuth.sin2_half, azimuth.cos2_half));
         put(point_slope_x, (l.x + v.x) / (l.z + v.z));
         put(point_slope_y, (l.y + v.y) / (l.z + v.z));
         put(point_x_i, l.x);
         put(point_y_i, l.y);
         put(point_x_o, v.x);
         put(point_y_o, v.y);
+        put_both(point_x_x_hi, point_x_x_lo, l.x * v.x);
+        put_both(point_y_y_hi, point_y_y_lo, l.y * v.y);
     }
     return {"directions/points.cl", {std::move(table)}, {}, length, 1};
 }

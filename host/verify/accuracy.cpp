@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace gonio {
@@ -41,6 +42,9 @@ Accuracy compare(const std::vector<float>& device, const std::vector<double>& re
     accuracy.checked = device.size();
     for (const double f : reference)
         if (std::isfinite(f)) accuracy.maximum = std::max(accuracy.maximum, std::abs(f));
+    // What float32 has no normal numbers for counts as 0.
+    const double smallest = std::numeric_limits<float>::min();
+    const double scale = std::max(accuracy.maximum, smallest);
     for (std::size_t k = 0; k < device.size(); ++k) {
         const double got = static_cast<double>(device[k]), expected = reference[k];
         if (!std::isfinite(got) || !std::isfinite(expected)) {
@@ -48,8 +52,8 @@ Accuracy compare(const std::vector<float>& device, const std::vector<double>& re
             continue;
         }
         const double error = std::abs(got - expected);
-        if (std::abs(expected) < floor_of_relative * accuracy.maximum) {
-            accuracy.absolute = std::max(accuracy.absolute, error / accuracy.maximum);
+        if (std::abs(expected) < std::max(floor_of_relative * scale, smallest)) {
+            accuracy.absolute = std::max(accuracy.absolute, error / scale);
         } else if (error > accuracy.relative * std::abs(expected)) {
             accuracy.relative = error / std::abs(expected);
             accuracy.device = got;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "gonio/compute.hpp"
 #include "verify/cases.hpp"
@@ -52,20 +53,24 @@ Values on_points(const Device& device, const Material& material, Measure measure
     return values;
 }
 
+/// Of the BRDF: |f(l, v) - f(v, l)| as a fraction of the greatest f.
 double reciprocity_defect(const Device& device, const Material& material,
-                          std::vector<DirectionPair> pairs, const std::vector<float>& forward,
-                          double maximum)
+                          std::vector<DirectionPair> pairs)
 {
+    const bool is_value = (material.lobes[0].traits() & VALUE) != 0;
+    const Measure measure = is_value ? Measure::brdf : Measure::as_printed;
+    const std::vector<float> forward = compute_points(device, material, measure, pairs)[0];
     for (DirectionPair& pair : pairs) {
         std::swap(pair.theta_i, pair.theta_o);
         std::swap(pair.phi_i, pair.phi_o);
     }
-    const std::vector<float> backward =
-        compute_points(device, material, Measure::as_printed, pairs)[0];
-    double defect = 0;
-    for (std::size_t k = 0; k < forward.size(); ++k)
-        defect = std::max(defect, static_cast<double>(std::abs(forward[k] - backward[k])));
-    return maximum > 0 ? defect / maximum : 0;
+    const std::vector<float> backward = compute_points(device, material, measure, pairs)[0];
+    float defect = 0, maximum = std::numeric_limits<float>::min();
+    for (std::size_t k = 0; k < forward.size(); ++k) {
+        defect = std::max(defect, std::abs(forward[k] - backward[k]));
+        maximum = std::max(maximum, forward[k]);
+    }
+    return static_cast<double>(defect / maximum);
 }
 
 }  // namespace
@@ -109,13 +114,10 @@ Verdict verify_model(const Device& device, const Model& model, bool quick)
         if (material.isotropic())
             judge(material,
                   on_grid(device, material, Measure::as_printed, verification_half_grid(density)));
-        const Values points = on_points(device, material, Measure::as_printed, pairs);
-        judge(material, points);
+        judge(material, on_points(device, material, Measure::as_printed, pairs));
         if ((material.lobes[0].traits() & ONE_WAY) == 0)
-            verdict.reciprocity_defect =
-                std::max(verdict.reciprocity_defect,
-                         reciprocity_defect(device, material, pairs, points.device,
-                                            verdict.accuracy.maximum));
+            verdict.reciprocity_defect = std::max(verdict.reciprocity_defect,
+                                                  reciprocity_defect(device, material, pairs));
     }
     return verdict;
 }

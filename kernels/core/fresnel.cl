@@ -1,50 +1,94 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reflectance of a smooth interface for unpolarised light, written without the cancellation of the
-// textbook forms.
+// Reflectance of a smooth interface for unpolarised light, without the cancellation of the textbook
+// forms.
 #ifndef GONIO_CORE_FRESNEL
 #define GONIO_CORE_FRESNEL
-#include "core/real.cl"
+#include "directions/directions.cl"
+
+/// The angle between the light and a surface's normal. A surface that is less dense inside reflects
+/// all light beyond a critical angle, with infinite slope there: it needs cos^2 in two floats, and
+/// takes it as a sum whose first part does not change along a row.
+typedef struct {
+    real cosine, sin2;
+    two_floats cos2_row, cos2_rest;
+} incidence;
+
+static inline two_floats halved(two_floats a)
+{
+    const two_floats result = {R(0.5) * a.hi, R(0.5) * a.lo};
+    return result;
+}
+
+/// On the facet whose normal is the half vector: cos^2 theta_d = (1 + l.v)/2.
+static inline incidence on_facet(const directions* d)
+{
+    const two_floats one_half = {(real)(R(0.5)), (real)(R(0.0))};
+    const incidence at = {sqrt(d->cos2_d), d->sin2_d, two_floats_plus(one_half, halved(d->cos_cos)),
+                          halved(d->tangent)};
+    return at;
+}
+
+/// On the surface itself, along l or v.
+static inline incidence on_surface(real cosine, real cosine_lo, real sine)
+{
+    const two_floats both = {cosine, cosine_lo}, nothing = {(real)(R(0.0)), (real)(R(0.0))};
+    const incidence at = {cosine, square(sine), two_floats_product(both, both), nothing};
+    return at;
+}
 
 /// Schlick, CGF 13(3), 1994, eq. 15.
-static inline real fresnel_schlick(float f0, real cos_d)
+static inline real fresnel_schlick(float f0, real cosine)
 {
-    return f0 + (R(1.0) - f0) * fifth_power(R(1.0) - cos_d);
+    return f0 + (R(1.0) - f0) * fifth_power(R(1.0) - cosine);
 }
 
-/// Born & Wolf 1.5.2 with g^2 = eta^2 - sin^2 (Cook & Torrance 1982, eq. 15); g - c is written as
-/// (eta^2 - 1)/(g + c). Total reflection where g^2 < 0.
-static inline real fresnel_dielectric(float eta, real c)
+/// The real part of w^2 = N - sin^2 with N = (eta + i k)^2, and of N - 1 in `excess`.
+static inline real squared_inner_cosine(float eta, float k, float excess, const incidence* at)
+{
+    if (eta >= R(1.0)) return excess + square(at->cosine);
+    const two_floats re = {(real)(eta), (real)(R(0.0))}, im = {(real)(k), (real)(R(0.0))};
+    const two_floats minus_one = {(real)(R(-1.0)), (real)(R(0.0))};
+    const two_floats n = two_floats_minus(two_floats_product(re, re), two_floats_product(im, im));
+    const two_floats row = two_floats_plus(two_floats_plus(n, minus_one), at->cos2_row);
+    return two_floats_sum(row, at->cos2_rest);
+}
+
+/// Born & Wolf 14.2: with c = cos and w = u + i v the inside's complex cosine times its index
+/// N^1/2, s light has R_s = |c - w|^2/|c + w|^2 = |N - 1|^2/|c + w|^4 and p light R_p = R_s |c w -
+/// sin^2|^2/ |c w + sin^2|^2. Their mean is R_s A/|c w + sin^2|^2, A = c^2 |w|^2 + sin^4: sums of
+/// positive terms. Here w2 is |w|^2, cu is c u, strength |N - 1|.
+static inline real unpolarised(real c, real sin2, real w2, real cu, float strength)
+{
+    const real both = square(c) * w2 + square(sin2);
+    const real p_below = both + R(2.0) * cu * sin2;
+    const real s_below = w2 + square(c) + R(2.0) * cu;
+    return both * p_below * square(strength / (s_below * p_below));
+}
+
+/// Without extinction: Born & Wolf 1.5.2. Total reflection where w^2 < 0.
+static inline real fresnel_dielectric(float eta, incidence at)
 {
     const float excess = (eta - R(1.0)) * (eta + R(1.0));
-    const real g2 = excess + c * c;
-    const real g = sqrt(max(g2, (real)(R(0.0))));
-    const real sum = g + c;
-    const real difference = excess / sum;
-    const real ratio = (c * sum - R(1.0)) / (c * difference + R(1.0));
-    const real f = R(0.5) * square(difference / sum) * (R(1.0) + square(ratio));
-    return choose(less((real)(R(0.0)), g2), f, (real)(R(1.0)));
+    const real w2 = squared_inner_cosine(eta, R(0.0), excess, &at);
+    const real w = sqrt(max(w2, (real)(R(0.0))));
+    // The terms of unpolarised() are squares here.
+    const real cw = at.cosine * w;
+    const real scaled = excess / (square(at.cosine + w) * (cw + at.sin2));
+    const real f = (square(cw) + square(at.sin2)) * square(scaled);
+    return choose(less((real)(R(0.0)), w2), f, (real)(R(1.0)));
 }
 
-/// Born & Wolf 14.2: u + i v is the complex cosine inside times the index, u v = eta k and u^2 -
-/// v^2 = eta^2 - k^2 - sin^2; the smaller one of u, v follows from the larger. Where u is the
-/// larger, it may be near c: there c - u = (c^2 - u^2)/(c + u).
-static inline real fresnel_conductor(float eta, float k, real c)
+/// u v = eta k: the smaller one follows from the larger.
+static inline real fresnel_conductor(float eta, float k, incidence at)
 {
     const float excess = (eta - R(1.0)) * (eta + R(1.0)) - k * k;
-    const real difference = excess + c * c;
-    const real sum = sqrt(square(difference) + square(R(2.0) * eta * k));
-    const real larger = sqrt(R(0.5) * (sum + fabs(difference)));
-    const real smaller = eta * k / max(larger, (real)(R(1e-30)));
-    const mask_t transparent = less((real)(R(0.0)), difference);
-    const real u = choose(transparent, larger, smaller);
-    const real v = choose(transparent, smaller, larger);
-    const real c_minus_u = choose(transparent, -(excess + v * v) / (c + u), c - u);
-    const real s = (square(c_minus_u) + v * v) / (square(c + u) + v * v);
-    const real t3 = (excess + R(1.0)) * c;
-    const real t4 = R(2.0) * eta * k * c;
-    const real p =
-        (square(excess * c + c_minus_u) + square(t4 - v)) / (square(t3 + u) + square(t4 + v));
-    return R(0.5) * (s + p);
+    const float uv = eta * k;
+    const float strength = sqrt(excess * excess + R(4.0) * uv * uv);
+    const real re = squared_inner_cosine(eta, k, excess, &at);
+    const real w2 = sqrt(square(re) + R(4.0) * uv * uv);
+    const real larger = sqrt(R(0.5) * (w2 + fabs(re)));
+    const real u = choose(less((real)(R(0.0)), re), larger, uv / max(larger, (real)(R(1e-30))));
+    return unpolarised(at.cosine, at.sin2, w2, at.cosine * u, strength);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "core/fresnel.cl"
 #include "core/math.cl"
 #include "core/microfacet.cl"
+#include "core/power.cl"
 #include "directions/directions.cl"
 
 #ifndef CHANNELS
@@ -44,10 +45,10 @@
 #define END_MODEL(id) }
 #include "gonio/shared/models.inc"
 
-/// The reflectance of a facet: FACET_FRESNEL of the registry.
-#define FACET_REFLECTANCE(id, p, c, cos_d)                                                        \
-    ((p)->fresnel == id##_fresnel_conductor    ? fresnel_conductor((p)->eta[c], (p)->k[c], cos_d) \
-     : (p)->fresnel == id##_fresnel_dielectric ? fresnel_dielectric((p)->eta[c], cos_d)           \
-                                               : fresnel_schlick((p)->f0[c], cos_d))
+/// The reflectance of a facet: FACET_FRESNEL of the registry. at: an incidence
+#define FACET_REFLECTANCE(id, p, c, at)                                                          \
+    ((p)->fresnel == id##_fresnel_conductor    ? fresnel_conductor((p)->eta[c], (p)->k[c], (at)) \
+     : (p)->fresnel == id##_fresnel_dielectric ? fresnel_dielectric((p)->eta[c], (at))           \
+                                               : fresnel_schlick((p)->f0[c], (at).cosine))
 
 #endif

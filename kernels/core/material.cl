@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A material as a weighted sum of lobes. The program's first lines, written by the host, define
-//   LOBES      LOBE(0, ward, 0) LOBE(1, lambert, 0) ...: number, model, whether it prints a value
-//   that contains cos theta_i CHOICES    the chosen options of all lobes, in order MEASURE
-//   measure_as_printed, measure_brdf or measure_brdf_cosine
+//   - LOBES: LOBE(0, ward, 0) LOBE(1, lambert, 0) ...: number, model, whether it prints a value,
+//     which contains cos theta_i
+//   - CHOICES: the chosen options of all lobes, in order
+//   - MEASURE: measure_as_printed, measure_brdf or measure_brdf_cosine
 #ifndef GONIO_CORE_MATERIAL
 #define GONIO_CORE_MATERIAL
 #include "core/lobe.cl"
@@ -55,13 +56,16 @@ static inline real measure_factor(int is_value, const directions* d)
 
 static inline void evaluate_material(const material* m, const directions* d, real f[CHANNELS])
 {
-    FOR_CHANNELS(c) f[c] = (real)(R(0.0));
-#define LOBE(number, id, is_value)                                          \
-    {                                                                       \
-        real lobe[CHANNELS];                                                \
-        id##_eval(&m->lobe_##number, d, lobe);                              \
-        const real factor = measure_factor(is_value, d);                    \
-        FOR_CHANNELS(c) f[c] += m->weight_##number[c] * (lobe[c] * factor); \
+#define LOBE(number, id, is_value)                                        \
+    {                                                                     \
+        real lobe[CHANNELS];                                              \
+        id##_eval(&m->lobe_##number, d, lobe);                            \
+        const real factor = measure_factor(is_value, d);                  \
+        FOR_CHANNELS(c)                                                   \
+        {                                                                 \
+            const real term = m->weight_##number[c] * (lobe[c] * factor); \
+            f[c] = number == 0 ? term : f[c] + term;                      \
+        }                                                                 \
     }
     LOBES
 #undef LOBE

@@ -8,8 +8,8 @@
 /// Adding it rounds a number below 2^22 to an integer, which then stands in the low bits.
 #define ROUNDING_SHIFT R(12582912.0)
 
-/// exp(-q) for q >= 0; 0 where that is below the smallest normal number. Error below 1.3 ulp for q
-/// <= 16, 3 ulp beyond.
+/// exp(-q) for q >= -87; 0 where that is below the smallest normal number. Error below 1.3 ulp for
+/// |q| <= 16, 3 ulp beyond.
 static inline real exp_of_negative(real q)
 {
     const real shifted = fma(q, (real)(R(-1.44269504088896341)), (real)(ROUNDING_SHIFT));
@@ -25,14 +25,14 @@ static inline real exp_of_negative(real q)
     return choose(less(q, (real)(R(87.0))), result, (real)(R(0.0)));
 }
 
-/// log(base + x) for base 0 or 1 and a normal base + x > 0, relatively accurate also where base + x
-/// is near 1. Error below 2 ulp.
+/// log(base + x) for a normal base + x > 0, where base is 0 or 1 or x is what the rounding of base
+/// took away. Relatively accurate also where the sum is near 1. Error below 2 ulp.
 static inline real log_of_sum(real base, real x)
 {
     // base + x = 2^n (1 + f) with 1 + f in [sqrt 1/2, sqrt 2): the offset makes the exponent field
     // round at sqrt 2. f is made from x itself, so that what the sum rounds away is not lost.
-    const mask_t n = ((bits_of(base + x) + (0x3f800000 - 0x3f3504f3)) >> 23) - 127;
-    const real scale = as_real((127 - n) << 23);
+    const mask_t n_in_place = (bits_of(base + x) - 0x3f3504f3) & (mask_t)(0xff800000);
+    const real scale = as_real(0x3f800000 - n_in_place);
     const real f = fma(x, scale, fma(base, scale, (real)(R(-1.0))));
     // log(1 + f) = 2 artanh s = f - s (f - z P(z)) with s = f / (2 + f), z = s^2: few constants, so
     // that they stay in registers.
@@ -42,8 +42,8 @@ static inline real log_of_sum(real base, real x)
     p = fma(p, z, (real)(R(0.39988780566)));
     p = fma(p, z, (real)(R(0.666666850396)));
     const real log_of_fraction = fma(-s, fma(-z, p, f), f);
-    const real n_as_real = as_real(n + bits_of((real)(ROUNDING_SHIFT))) - ROUNDING_SHIFT;
-    return fma(n_as_real, (real)(R(0.693147180559945309)), log_of_fraction);
+    // n ln 2, n still times 2^23
+    return fma(real_of(n_in_place), (real)(R(8.26295829e-8)), log_of_fraction);
 }
 
 /// log(x) for normal x > 0.
@@ -75,6 +75,25 @@ static inline real scaled_erfc(real x)
     p = fma(p, t, (real)(R(-0.0927638157399)));
     p = fma(p, t, (real)(R(1.2769783912)));
     return p / (R(1.0) + R(2.0) * x);
+}
+
+/// The angle in [0, pi/2] whose sine and cosine, both >= 0 and not both 0, have this ratio. Error
+/// below 2 ulp.
+static inline real angle_of(real sine, real cosine)
+{
+    // atan t for t = tan(angle - base) with base 0 or pi/4 and |t| <= tan(pi/8)
+    const real lesser = min(sine, cosine), greater = max(sine, cosine);
+    const mask_t near_diagonal = less(greater * R(0.41421356237), lesser);
+    const real t = choose(near_diagonal, lesser - greater, lesser) /
+                   choose(near_diagonal, lesser + greater, greater);
+    const real z = t * t;
+    real p = (real)(R(0.08060065656900406));
+    p = fma(p, z, (real)(R(-0.1387978047132492)));
+    p = fma(p, z, (real)(R(0.1997791975736618)));
+    p = fma(p, z, (real)(R(-0.33332955837249756)));
+    const real base = choose(near_diagonal, (real)(R(0.25) * PI), (real)(R(0.0)));
+    const real angle = base + fma(t * z, p, t);
+    return choose(less(cosine, sine), R(0.5) * PI - angle, angle);
 }
 
 #endif

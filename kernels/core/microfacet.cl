@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distributions of facet normals and their Smith masking, in slopes and without cancellation.
+// Distributions of facet normals and their masking, in slopes and without cancellation.
 #ifndef GONIO_CORE_MICROFACET
 #define GONIO_CORE_MICROFACET
 #include "core/math.cl"
@@ -21,9 +21,15 @@ static inline real beckmann_distribution(const directions* d, real q, float alph
 /// G2 / (4 cos_i cos_o) for GGX with height-correlated masking (Heitz, JCGT 3(2), 2014, eq. 99),
 /// multiplied out so that nothing is divided by a cosine. p: alpha times the tangential part of a
 /// direction, squared.
-static inline real ggx_visibility(real p_i, real p_o, real cos_i, real cos_o)
+static inline real ggx_correlated_visibility(real p_i, real p_o, real cos_i, real cos_o)
 {
     return R(0.5) / (cos_o * sqrt(p_i + square(cos_i)) + cos_i * sqrt(p_o + square(cos_o)));
+}
+
+/// G1 / (2 cos) for GGX: Walter et al. 2007, eq. 34.
+static inline real ggx_masking(real p, real cos_w)
+{
+    return R(1.0) / (cos_w + sqrt(p + square(cos_w)));
 }
 
 /// cos Lambda(cos) of a Beckmann surface (Walter et al. 2007; Heitz 2014, eq. 66), finite at
@@ -34,25 +40,32 @@ static inline real beckmann_cos_lambda(real p, real cos_w)
     // At normal incidence Lambda is 0; the bound on a keeps 0/0 away and exp(-a^2) is 0 long
     // before.
     const real a = min(cos_w / max(projected, (real)(R(1e-30))), (real)(R(12.0)));
-    return R(0.5) * exp_of_negative(a * a) *
-           max(projected * R(0.56418958354775629) - cos_w * scaled_erfc(a), (real)(R(0.0)));
+    const real tail = projected * R(0.56418958354775629) - cos_w * scaled_erfc(a);
+    return R(0.5) * exp_of_negative(a * a) * max(tail, (real)(R(0.0)));
 }
 
 /// G2 / (4 cos_i cos_o) for Beckmann with height-correlated masking.
-static inline real beckmann_visibility(real p_i, real p_o, real cos_i, real cos_o)
+static inline real beckmann_correlated_visibility(real p_i, real p_o, real cos_i, real cos_o)
 {
     const real masked =
         cos_o * beckmann_cos_lambda(p_i, cos_i) + cos_i * beckmann_cos_lambda(p_o, cos_o);
     return R(0.25) / (cos_i * cos_o + masked);
 }
 
-/// G / (4 cos_i cos_o) of symmetric V-shaped grooves (Torrance & Sparrow 1967; Cook & Torrance
-/// 1982): G = min(1, 2 cos_h cos_i / cos_d, 2 cos_h cos_o / cos_d), with cos_h cos_d = mean_cos.
+/// G1 / (2 cos) for Beckmann.
+static inline real beckmann_masking(real p, real cos_w)
+{
+    return R(0.5) / (cos_w + beckmann_cos_lambda(p, cos_w));
+}
+
+/// sec^2 theta_h G / (4 cos_i cos_o) of symmetric V-shaped grooves (Torrance & Sparrow 1967):
+/// G = min(1, 2 cos_h min(cos_i, cos_o)/cos_d). With cos_h cos_d = mean_cos that factor needs no
+/// division in the loop.
 static inline real v_cavity_visibility(const directions* d)
 {
     const real open = R(0.25) / (d->cos_i * d->cos_o);
-    const real blocked = R(0.5) * d->mean_cos / max(d->cos_i, d->cos_o);
-    return min(open, blocked / d->cos2_d);
+    const real blocked = R(0.5) / (d->mean_cos * max(d->cos_i, d->cos_o));
+    return min(d->sec2_h * open, blocked);
 }
 
 #endif

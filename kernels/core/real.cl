@@ -21,8 +21,10 @@
 typedef float real;
 typedef int mask_t;  ///< also the integer of the same width
 #define LESS(a, b) (-(int)((a) < (b)))
+#define ANY(mask) ((mask) != 0)
 #define bits_of as_int
 #define as_real as_float
+#define real_of convert_float
 static inline real choose(mask_t mask, real yes, real no)
 {
     return mask ? yes : no;
@@ -43,8 +45,10 @@ static inline real reversed(real value)
 typedef JOIN(float, WIDTH) real;
 typedef JOIN(int, WIDTH) mask_t;
 #define LESS(a, b) ((a) < (b))
+#define ANY(mask) any(mask)
 #define bits_of JOIN(as_int, WIDTH)
 #define as_real JOIN(as_float, WIDTH)
+#define real_of JOIN(convert_float, WIDTH)
 static inline real choose(mask_t mask, real yes, real no)
 {
     return select(no, yes, mask);
@@ -84,6 +88,14 @@ static inline mask_t less(real a, real b)
 {
     return LESS(a, b);
 }
+static inline int any_of(mask_t mask)
+{
+    return ANY(mask);
+}
+static inline mask_t not_(mask_t mask)
+{
+    return ~mask;
+}
 static inline real square(real x)
 {
     return x * x;
@@ -106,6 +118,25 @@ static inline two_floats two_floats_product(two_floats a, two_floats b)
     const real product = a.hi * b.hi;
     const two_floats result = {product, fma(a.hi, b.hi, -product) + (a.hi * b.lo + a.lo * b.hi)};
     return result;
+}
+
+/// a + b, to about 2^-46 of the larger one (the exact sum of the high parts: Knuth, The Art of
+/// Computer Programming 2, 4.2.2, theorem B).
+static inline two_floats two_floats_plus(two_floats a, two_floats b)
+{
+    const real sum = a.hi + b.hi;
+    const real part = sum - a.hi;
+    const real lost = (a.hi - (sum - part)) + (b.hi - part);
+    const real low = lost + (a.lo + b.lo);
+    const real high = sum + low;
+    const two_floats result = {high, low - (high - sum)};
+    return result;
+}
+
+static inline two_floats two_floats_minus(two_floats a, two_floats b)
+{
+    const two_floats negative = {-b.hi, -b.lo};
+    return two_floats_plus(a, negative);
 }
 
 /// a + b, to about an ulp. Where the sum cancels, a.hi + b.hi is exact (Sterbenz 1974) and the low

@@ -12,18 +12,23 @@
 #endif
 
 typedef struct {
-    real cos_i, cos_o;  ///< n.l, n.v
+    real cos_i, cos_o;        ///< n.l, n.v
+    real cos_i_lo, cos_o_lo;  ///< what their rounding took away
     real sin_i, sin_o;
     real mean_cos;        ///< (cos_i + cos_o)/2, which is cos theta_h cos theta_d
     real tan2_h;          ///< tan^2 of the angle between n and the half vector h
     real sec2_h;          ///< 1 + tan2_h
     real cos2_d, sin2_d;  ///< of the angle between h and l
-    real mirror;          ///< 1 - r.v with r the mirror direction of l: exact where r.v is near 1
+    real mirror;          ///< 1 - r.v with r the mirror direction of l: exact where small
     real cos_r;           ///< r.v: exact where it is near 0
-    real azimuth;         ///< sin_i sin_o cos(phi_o - phi_i), the tangential part of l.v
+    two_floats cos_cos;   ///< cos_i cos_o, the part of l.v along the normal
+    two_floats tangent;   ///< sin_i sin_o cos phi, its part in the tangent plane
+    real cos_phi;         ///< of phi = phi_o - phi_i
+    real out_of_plane;    ///< 1 - |cos phi|: exact where small
 #if !ISOTROPIC
     real slope_x, slope_y;    ///< h.x / h.n, h.y / h.n
     real x_i, y_i, x_o, y_o;  ///< tangential parts of l and v
+    two_floats x_x, y_y;      ///< l.x v.x, l.y v.y
 #endif
 } directions;
 

@@ -25,6 +25,8 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
 #define POINT_FIELD(name) load(row->points + (ulong)point_##name * row->length + at)
     d.cos_i = POINT_FIELD(cos_i);
     d.cos_o = POINT_FIELD(cos_o);
+    d.cos_i_lo = POINT_FIELD(cos_i_lo);
+    d.cos_o_lo = POINT_FIELD(cos_o_lo);
     d.sin_i = POINT_FIELD(sin_i);
     d.sin_o = POINT_FIELD(sin_o);
     d.mean_cos = R(0.5) * (d.cos_i + d.cos_o);
@@ -34,7 +36,12 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.sin2_d = POINT_FIELD(sin2_d);
     d.mirror = POINT_FIELD(mirror);
     d.cos_r = POINT_FIELD(cos_r);
-    d.azimuth = POINT_FIELD(azimuth);
+    const two_floats cos_cos = {POINT_FIELD(cos_cos_hi), POINT_FIELD(cos_cos_lo)};
+    const two_floats tangent = {POINT_FIELD(tangent_hi), POINT_FIELD(tangent_lo)};
+    d.cos_cos = cos_cos;
+    d.tangent = tangent;
+    d.cos_phi = POINT_FIELD(cos_phi);
+    d.out_of_plane = POINT_FIELD(out_of_plane);
 #if !ISOTROPIC
     d.slope_x = POINT_FIELD(slope_x);
     d.slope_y = POINT_FIELD(slope_y);
@@ -42,6 +49,10 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.y_i = POINT_FIELD(y_i);
     d.x_o = POINT_FIELD(x_o);
     d.y_o = POINT_FIELD(y_o);
+    const two_floats x_x = {POINT_FIELD(x_x_hi), POINT_FIELD(x_x_lo)};
+    const two_floats y_y = {POINT_FIELD(y_y_hi), POINT_FIELD(y_y_lo)};
+    d.x_x = x_x;
+    d.y_y = y_y;
 #endif
 #undef POINT_FIELD
     return d;

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Grids over (theta_h, theta_d, phi_d) with the half vector at azimuth 0 (Rusinkiewicz, EGWR 1998).
-// A row runs over phi_d. Cells with a direction below the horizon exist; they are 0.
+// Grids over (theta_h, theta_d, phi_d) with the half vector at azimuth 0 (Rusinkiewicz, EGWR 1998),
+// for isotropic materials. A row runs over phi_d. Cells with a direction below the horizon exist;
+// they are 0.
 #ifndef GONIO_DIRECTIONS_RUSINKIEWICZ
 #define GONIO_DIRECTIONS_RUSINKIEWICZ
+#ifndef ISOTROPIC
+#define ISOTROPIC 1
+#endif
+#if !ISOTROPIC
+#error "a grid of half vectors has no tangent frame"
+#endif
 #include "directions/directions.cl"
 #include "gonio/shared/grid_fields.h"
 
@@ -42,8 +49,12 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     const two_floats cos_cos = {ROW_FIELD(cos_cos_hi), ROW_FIELD(cos_cos_lo)};
     const two_floats sin_sin = {ROW_FIELD(sin_sin_hi), ROW_FIELD(sin_sin_lo)};
     const two_floats swing = two_floats_product(sin_sin, cos_phi);
-    d.cos_i = two_floats_difference(cos_cos, swing);
-    d.cos_o = two_floats_sum(cos_cos, swing);
+    const two_floats cos_i = two_floats_minus(cos_cos, swing);
+    const two_floats cos_o = two_floats_plus(cos_cos, swing);
+    d.cos_i = cos_i.hi;
+    d.cos_o = cos_o.hi;
+    d.cos_i_lo = cos_i.lo;
+    d.cos_o_lo = cos_o.lo;
     d.mean_cos = cos_cos.hi;
 
     // l and v = (sin_h cos_d +- cos_h sin_d cos phi_d, +- sin_d sin phi_d) in the tangent plane.
@@ -56,22 +67,18 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.sec2_h = R(1.0) + d.tan2_h;
     d.cos2_d = square(cos_d);
     d.sin2_d = square(sin_d);
-    // 1 - r.v = 2 sin^2 theta_h (cos^2 theta_d + sin^2 theta_d cos^2 phi_d), and
-    // r.v = 2 (n.l)(n.v) - cos 2 theta_d = (1 - 2 sin^2 theta_h cos^2 theta_d) - 2 (sin_h sin_d cos
-    // phi_d)^2.
+    // 1 - r.v = 2 sin^2 theta_h (cos^2 theta_d + sin^2 theta_d cos^2 phi_d)
     d.mirror = R(2.0) * square(sin_h) * (square(cos_d) + square(sin_d * cos_phi.hi));
-    const two_floats fixed = {ROW_FIELD(fixed_cos_r_hi), ROW_FIELD(fixed_cos_r_lo)};
-    const two_floats twice_swing = {R(2.0) * swing.hi, R(2.0) * swing.lo};
-    d.cos_r = two_floats_difference(fixed, two_floats_product(twice_swing, swing));
-    d.azimuth = square(along) - (square(swing_x) + square(swing_y));
-#if !ISOTROPIC
-    d.slope_x = sqrt(d.tan2_h);
-    d.slope_y = (real)(R(0.0));
-    d.x_i = along + swing_x;
-    d.y_i = swing_y;
-    d.x_o = along - swing_x;
-    d.y_o = -swing_y;
-#endif
+    // l.v = cos 2 theta_d, and r.v = 2 (n.l)(n.v) - l.v.
+    const two_floats l_v = {ROW_FIELD(l_v_hi), ROW_FIELD(l_v_lo)};
+    d.cos_cos =
+        two_floats_minus(two_floats_product(cos_cos, cos_cos), two_floats_product(swing, swing));
+    d.tangent = two_floats_minus(l_v, d.cos_cos);
+    d.cos_r = two_floats_difference(d.cos_cos, d.tangent);
+    // The azimuth between l and v has no cancellation in its sine: l x v = 2 along swing_y.
+    const real over_sin_sin = R(1.0) / max(d.sin_i * d.sin_o, (real)(R(1e-30)));
+    d.cos_phi = clamp(d.tangent.hi * over_sin_sin, (real)(R(-1.0)), (real)(R(1.0)));
+    d.out_of_plane = square(R(2.0) * along * swing_y * over_sin_sin) / (R(1.0) + fabs(d.cos_phi));
     return d;
 }
 

@@ -39,6 +39,8 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     directions d;
     d.cos_i = ROW_FIELD(cos_i);
     d.cos_o = ROW_FIELD(cos_o);
+    d.cos_i_lo = ROW_FIELD(cos_i_lo);
+    d.cos_o_lo = ROW_FIELD(cos_o_lo);
     d.sin_i = ROW_FIELD(sin_i);
     d.sin_o = ROW_FIELD(sin_o);
     const two_floats sin_sin = {ROW_FIELD(sin_sin_hi), ROW_FIELD(sin_sin_lo)};
@@ -58,8 +60,11 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.sec2_h = d.cos2_d * (R(1.0) / square(d.mean_cos));
     d.sin2_d = ROW_FIELD(sin2_half_difference) + sin_sin.hi * sin2_half;
     d.mirror = R(2.0) * (ROW_FIELD(sin2_half_difference) + sin_sin.hi * cos2_half);
-    d.azimuth = sin_sin.hi * cos_delta.hi;
-    d.cos_r = two_floats_difference(cos_cos, two_floats_product(sin_sin, cos_delta));
+    d.cos_cos = cos_cos;
+    d.tangent = two_floats_product(sin_sin, cos_delta);
+    d.cos_r = two_floats_difference(d.cos_cos, d.tangent);
+    d.cos_phi = cos_delta.hi;
+    d.out_of_plane = R(2.0) * min(cos2_half, sin2_half);
 #if !ISOTROPIC
     const two_floats x_i = {(real)(row->tangent_in[tangent_x_hi]),
                             (real)(row->tangent_in[tangent_x_lo])};
@@ -76,6 +81,8 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.y_i = y_i.hi;
     d.x_o = x_o.hi;
     d.y_o = y_o.hi;
+    d.x_x = two_floats_product(x_i, x_o);
+    d.y_y = two_floats_product(y_i, y_o);
 #endif
     return d;
 }

@@ -9,6 +9,8 @@
 enum theta_field {
     theta_cos_i,
     theta_cos_o,
+    theta_cos_i_lo,
+    theta_cos_o_lo,
     theta_sin_i,
     theta_sin_o,
     theta_tan2_half_difference,
@@ -46,8 +48,8 @@ enum half_field {
     half_cos_cos_lo,
     half_sin_sin_hi,
     half_sin_sin_lo,
-    half_fixed_cos_r_hi,
-    half_fixed_cos_r_lo,
+    half_l_v_hi,
+    half_l_v_lo,
     half_fields
 };
 
@@ -59,6 +61,8 @@ enum difference_field { difference_cos_hi, difference_cos_lo, difference_sin, di
 enum point_field {
     point_cos_i,
     point_cos_o,
+    point_cos_i_lo,
+    point_cos_o_lo,
     point_sin_i,
     point_sin_o,
     point_tan2_h,
@@ -66,13 +70,22 @@ enum point_field {
     point_sin2_d,
     point_mirror,
     point_cos_r,
-    point_azimuth,
+    point_cos_cos_hi,
+    point_cos_cos_lo,
+    point_tangent_hi,
+    point_tangent_lo,
+    point_cos_phi,
+    point_out_of_plane,
     point_slope_x,
     point_slope_y,
     point_x_i,
     point_y_i,
     point_x_o,
     point_y_o,
+    point_x_x_hi,
+    point_x_x_lo,
+    point_y_y_hi,
+    point_y_y_lo,
     point_fields
 };
 

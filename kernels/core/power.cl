@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Powers of the cosines that highlights are made of, exact for exponents of a million.
+#ifndef GONIO_CORE_POWER
+#define GONIO_CORE_POWER
+#include "core/math.cl"
+#include "directions/directions.cl"
+
+/// (r.v)^n for n >= 0; 0 where r.v <= 0. The logarithm is taken from whichever form of r.v is exact
+/// there.
+static inline real power_of_cos_r(const directions* d, float n)
+{
+    const mask_t near_mirror = less(d->mirror, (real)(R(0.5)));
+    const real log_of_cos_r = log_of_sum(choose(near_mirror, (real)(R(1.0)), (real)(R(0.0))),
+                                         choose(near_mirror, -d->mirror, d->cos_r));
+    const real power = exp_of_negative(-n * log_of_cos_r);
+    return choose(less((real)(R(0.0)), d->cos_r), power, (real)(R(0.0)));
+}
+
+/// (n.h)^n for n >= 0, from (n.h)^2 = 1/(1 + tan^2).
+static inline real power_of_cos_h(const directions* d, float n)
+{
+    return exp_of_negative(R(0.5) * n * log_of_one_plus(d->tan2_h));
+}
+
+#endif

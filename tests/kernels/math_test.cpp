@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// The errors that stand above the functions of kernels/core/math.cl, in ulp against double over
+// their ranges; and that every width gives the same bits.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "kernels/kernel_fixtures.hpp"
+
+namespace gonio {
+namespace {
+
+struct Case {
+    const char* name;
+    const char* expression;
+    double (*exact)(double x, double y);
+    float from, to;  ///< of x, of one sign
+    double (*y_of)(double x);
+    double bound;  ///< in ulp
+};
+
+double nothing(double)
+{
+    return 0;
+}
+
+/// exp(x^2) erfc(x); beyond 20 by its asymptotic series, since erfc underflows.
+double scaled_erfc(double x, double)
+{
+    if (x < 20) return std::exp(x * x) * std::erfc(x);
+    const double t = 1 / (2 * x * x);
+    return (1 - t * (1 - 3 * t * (1 - 5 * t))) / (x * std::sqrt(std::numbers::pi));
+}
+
+double exp_of_negative(double x, double)
+{
+    return std::exp(-x);
+}
+double log_of_positive(double x, double)
+{
+    return std::log(x);
+}
+double log_of_one_plus(double x, double)
+{
+    return std::log1p(x);
+}
+double angle_of(double x, double y)
+{
+    return std::atan2(x, y);
+}
+double rest_of_circle(double x)
+{
+    return std::sqrt((1 - x) * (1 + x));
+}
+double one(double)
+{
+    return 1;
+}
+
+const Case cases[] = {
+    {"ExpDownTo16", "exp_of_negative(x)", exp_of_negative, 1e-9F, 16.0F, nothing, 1.3},
+    {"ExpDownTo87", "exp_of_negative(x)", exp_of_negative, 16.0F, 87.0F, nothing, 3},
+    {"ExpUpTo16", "exp_of_negative(x)", exp_of_negative, -1e-9F, -16.0F, nothing, 1.3},
+    {"ExpUpTo87", "exp_of_negative(x)", exp_of_negative, -16.0F, -87.0F, nothing, 3},
+    {"Log", "log_of_positive(x)", log_of_positive, 1.2e-38F, 3e38F, nothing, 2},
+    {"LogNearOne", "log_of_positive(x)", log_of_positive, 0.5F, 2.0F, nothing, 2},
+    {"LogOfOnePlus", "log_of_one_plus(x)", log_of_one_plus, 1e-30F, 1e30F, nothing, 2},
+    {"LogOfOneMinus", "log_of_one_plus(x)", log_of_one_plus, -1e-30F, -0.9999999F, nothing, 2},
+    {"ScaledErfc", "scaled_erfc(x)", scaled_erfc, 1e-9F, 1e9F, nothing, 4},
+    {"AngleOfSine", "angle_of(x, y)", angle_of, 1e-30F, 1.0F, rest_of_circle, 2},
+    {"AngleOfTangent", "angle_of(x, y)", angle_of, 1e-30F, 1e30F, one, 2},
+};
+
+class Math : public testing::TestWithParam<Case> {
+protected:
+    Math() : x(floats_between(GetParam().from, GetParam().to, std::size_t{1} << 19))
+    {
+        for (const float number : x)
+            y.push_back(static_cast<float>(GetParam().y_of(static_cast<double>(number))));
+    }
+    std::vector<float> on(unsigned width) const
+    {
+        return on_device("core/math.cl", GetParam().expression, x, y, width);
+    }
+
+    std::vector<float> x, y;
+};
+
+TEST_P(Math, KeepsTheStatedError)
+{
+    const std::vector<float> got = on(8);
+    double worst = 0;
+    float at = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double exact = GetParam().exact(static_cast<double>(x[k]), static_cast<double>(y[k]));
+        if (exact == 0) continue;
+        const double error = ulps(got[k], exact);
+        // Not std::max, which would let NaN pass.
+        if (!(error <= worst)) {
+            worst = error;
+            at = x[k];
+        }
+    }
+    RecordProperty("ulp", std::to_string(worst));
+    EXPECT_LT(worst, GetParam().bound) << "at " << at;
+    EXPECT_GT(worst, GetParam().bound / 2) << "the stated error is too cautious";
+}
+
+TEST_P(Math, HasTheSameBitsAtEveryWidth)
+{
+    const std::vector<float> narrow = on(1);
+    for (const unsigned width : {2U, 4U, 8U, 16U}) EXPECT_EQ(narrow, on(width)) << width;
+}
+
+INSTANTIATE_TEST_SUITE_P(Core, Math, testing::ValuesIn(cases),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(MathEnds, AreExact)
+{
+    const std::vector<float> zeros(16, 0.0F), ones(16, 1.0F), large(16, 87.5F);
+    EXPECT_EQ(on_device("core/math.cl", "exp_of_negative(x)", zeros, zeros), ones);
+    EXPECT_EQ(on_device("core/math.cl", "exp_of_negative(x)", large, zeros), zeros);
+    EXPECT_EQ(on_device("core/math.cl", "log_of_positive(x)", ones, zeros), zeros);
+    EXPECT_EQ(on_device("core/math.cl", "log_of_one_plus(x)", zeros, zeros), zeros);
+    EXPECT_EQ(on_device("core/math.cl", "angle_of(x, y)", zeros, ones), zeros);
+    EXPECT_EQ(on_device("core/math.cl", "scaled_erfc(x)", zeros, zeros)[0], 1.0F);
+}
+
+}  // namespace
+}  // namespace gonio
