@@ -25,11 +25,12 @@ std::string models_text(const Job& job)
     return text;
 }
 
-void print(const Job& job, const MadeTable& made)
+void print(const Job& job, const MadeTable& made, std::size_t width)
 {
-    fmt::print("{:<22} {:>11} {:>8.2f} {:>8.2f} {:>9.1e}{} {}\n", models_text(job), made.cells,
-               static_cast<double>(made.cells) / made.kernel_seconds * 1e-9, made.store_fraction,
-               made.accuracy.relative, made.accuracy.complete ? ' ' : '*', job.path.string());
+    fmt::print("{:<{}} {:>11} {:>8.2f} {:>8.2f} {:>9.1e}{} {}\n", models_text(job), width,
+               made.cells, static_cast<double>(made.cells) / made.kernel_seconds * 1e-9,
+               made.store_fraction, made.accuracy.relative, made.accuracy.complete ? ' ' : '*',
+               job.path.string());
 }
 
 }  // namespace
@@ -48,10 +49,12 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
                           }));
         return run_information(device, made.back().second);
     });
+    std::size_t width = 0;
+    for (const auto& [job, table] : made) width = std::max(width, models_text(job).size());
     if (!made.empty())
-        fmt::print("{:<22} {:>11} {:>8} {:>8} {:>9}  {}\n", "model", "cells", "Geval/s", "of store",
-                   "error", "file");
-    for (const auto& [job, table] : made) print(job, table);
+        fmt::print("{:<{}} {:>11} {:>8} {:>8} {:>9}  {}\n", "model", width, "cells", "Geval/s",
+                   "of store", "error", "file");
+    for (const auto& [job, table] : made) print(job, table, width);
     if (std::ranges::any_of(made,
                             [](const auto& entry) { return !entry.second.accuracy.complete; }))
         fmt::print("* checked on 10^6 stratified cells and the extremes\n");

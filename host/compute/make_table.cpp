@@ -42,7 +42,8 @@ MadeTable make_table(const Device& device, const Job& job,
             after_rows(rows.count * job.header.row_length());
         });
         made.kernel_seconds += made.report.kernel_seconds;
-        made.accuracy.merge(check.finish(make_reference(material, job.measure)));
+        made.accuracy.merge(
+            check.finish(make_reference(material, job.measure), direction_rounding(material)));
     }
     made.cells = job.header.cells();
     require_accuracy(device, job, made.accuracy);

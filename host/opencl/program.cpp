@@ -56,8 +56,8 @@ void flatten(const std::string& text, const std::string& name, std::set<std::str
 
 std::filesystem::path saved_source(const std::string& source)
 {
-    const auto path = std::filesystem::temp_directory_path() /
-                      fmt::format("gonio-{:016x}.cl", std::hash<std::string>{}(source));
+    auto path = std::filesystem::temp_directory_path() /
+                fmt::format("gonio-{:016x}.cl", std::hash<std::string>{}(source));
     std::ofstream(path) << source;
     return path;
 }

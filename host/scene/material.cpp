@@ -56,7 +56,7 @@ std::string_view kind_of(const Section& section)
 
 std::string read_name(const Value& value)
 {
-    const auto name = value.text();
+    auto name = value.text();
     const bool unprintable =
         std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (name.empty() || name.size() > max_name || name.front() == '.' || unprintable ||

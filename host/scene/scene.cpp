@@ -111,8 +111,10 @@ Scene parse_scene(std::string_view text, std::string_view file)
         material_names.add(scene.materials.back().name, scene.materials.back().where);
     }
     for (const Value& value : list_of(root, "table")) {
-        scene.tables.push_back(read_table_request(value, scene.materials, storage));
-        table_names.add(scene.tables.back().name, scene.tables.back().where);
+        for (TableRequest& request : read_table_requests(value, scene.materials, storage)) {
+            table_names.add(request.name, request.where);
+            scene.tables.push_back(std::move(request));
+        }
     }
     if (scene.tables.empty()) root.fail("the scene asks for no [[table]]");
     warn_of_unused(scene);

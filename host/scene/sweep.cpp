@@ -35,7 +35,7 @@ std::vector<double> range_values(const Section& range)
 
 std::vector<double> listed_values(const Value& list)
 {
-    const auto values = list.numbers();
+    auto values = list.numbers();
     if (values.empty()) list.fail("a sweep of nothing; allowed is at least one value");
     if (values.size() > max_samples)
         list.fail(fmt::format("a sweep of {} values; allowed are {}", values.size(), max_samples));

@@ -90,33 +90,13 @@ bool fits_merl(const Grid& grid)
                               [](const Axis& a, const Axis& b) { return a.values == b.values; });
 }
 
-}  // namespace
-
-void read_storage(const Section& section, Storage& storage)
+TableRequest read_request(const Section& table, std::size_t which,
+                          const std::vector<SceneMaterial>& materials, const Storage& storage)
 {
-    static const std::vector<std::string_view> formats = {"exr", "npy", "csv", "merl"};
-    static const std::vector<std::string_view> compressions = {"none", "rle", "zips", "zip", "piz"};
-    if (const auto format = section.find("format"))
-        storage.format = formats[format->choice(formats)];
-    if (const auto precision = section.find("precision"))
-        storage.write.half = precision->choice({"float", "half"}) == 1;
-    if (const auto compression = section.find("compression"))
-        storage.write.compression = compressions[compression->choice(compressions)];
-    for (const auto key : {"precision", "compression"})
-        if (const auto value = section.find(key); value && storage.format != "exr")
-            value->fail(fmt::format("`{}` is for the format exr, not {}", key, storage.format));
-}
-
-TableRequest read_table_request(const Value& value, const std::vector<SceneMaterial>& materials,
-                                const Storage& storage)
-{
-    const Section table(value);
-    table.allow({"material", "name", "quantity", "grid", "axes", "solver", "max_error", "time",
-                 "photons", "format", "precision", "compression"});
     TableRequest request;
     request.where = table.where();
-    request.material = find_material(table.at("material"), materials);
-    const SceneMaterial& material = materials[request.material];
+    request.material = which;
+    const SceneMaterial& material = materials[which];
     if (const auto grid = table.find("grid")) request.grid = read_grid(*grid);
     if (const auto axes = table.find("axes")) request.axes = read_axes(*axes);
     request.budget = read_budget(table);
@@ -134,11 +114,42 @@ TableRequest read_table_request(const Value& value, const std::vector<SceneMater
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(
             "the format merl holds a rusinkiewicz grid of 90 x 90 x 180 with spacing = \"merl\" "
-            "and "
-            "samples = \"centre\" only");
+            "and samples = \"centre\" only");
     const auto name = table.find("name");
     request.name = name ? read_name(*name) : fmt::format("{}-{}", material.name, id);
     return request;
+}
+
+}  // namespace
+
+void read_storage(const Section& section, Storage& storage)
+{
+    static const std::vector<std::string_view> formats = {"exr", "npy", "csv", "merl"};
+    static const std::vector<std::string_view> compressions = {"none", "rle", "zips", "zip", "piz"};
+    if (const auto format = section.find("format"))
+        storage.format = formats[format->choice(formats)];
+    if (const auto precision = section.find("precision"))
+        storage.write.half = precision->choice({"float", "half"}) == 1;
+    if (const auto compression = section.find("compression"))
+        storage.write.compression = compressions[compression->choice(compressions)];
+    for (const auto key : {"precision", "compression"})
+        if (const auto value = section.find(key); value && storage.format != "exr")
+            value->fail(fmt::format("`{}` is for the format exr, not {}", key, storage.format));
+}
+
+std::vector<TableRequest> read_table_requests(const Value& value,
+                                              const std::vector<SceneMaterial>& materials,
+                                              const Storage& storage)
+{
+    const Section table(value);
+    table.allow({"material", "name", "quantity", "grid", "axes", "solver", "max_error", "time",
+                 "photons", "format", "precision", "compression"});
+    if (const auto material = table.find("material"))
+        return {read_request(table, find_material(*material, materials), materials, storage)};
+    std::vector<TableRequest> requests;
+    for (std::size_t material = 0; material < materials.size(); ++material)
+        requests.push_back(read_request(table, material, materials, storage));
+    return requests;
 }
 
 }  // namespace gonio

@@ -8,9 +8,10 @@
 
 namespace gonio {
 
-/// One [[table]]. `storage` is the scene's own.
-TableRequest read_table_request(const Value& value, const std::vector<SceneMaterial>& materials,
-                                const Storage& storage);
+/// One [[table]]: of the material that it names, or else one of each. `storage` is the scene's own.
+std::vector<TableRequest> read_table_requests(const Value& value,
+                                              const std::vector<SceneMaterial>& materials,
+                                              const Storage& storage);
 
 /// { kind, counts, samples, spacing, delta_phi_to }
 Grid read_grid(const Value& value);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "gonio/grid.hpp"
@@ -30,8 +31,18 @@ struct Accuracy {
 /// lobes.
 double accuracy_bound(const Material& material);
 
-/// Pairs of values and how they compare. reference[k] belongs to device[k].
-Accuracy compare(const std::vector<float>& device, const std::vector<double>& reference);
+/// By how much of their size coordinates of directions may be wrong: what double leaves, and for
+/// fits whose terms CANCEL what float32 leaves.
+double direction_rounding(const Material& material);
+
+/// What such an error in l or in v changes in the reference.
+double sensitivity(const Reference& reference, glm::dvec3 l, glm::dvec3 v, std::size_t channel,
+                   double rounding);
+
+/// Pairs of values and how they compare beyond the reference's own sensitivity(k), which is asked
+/// for where it may matter. reference[k] belongs to device[k].
+Accuracy compare(const std::vector<float>& device, const std::vector<double>& reference,
+                 const std::function<double(std::size_t)>& sensitivity);
 
 /// Gathers cells of a table while its rows pass: all of up to 2 million, else 10^6 stratified ones
 /// and the extremes. What was gathered is compared at the end, on all cores.
@@ -40,7 +51,7 @@ public:
     AccuracyCheck(const Grid& grid, std::size_t channels);
 
     void see(const Rows<float>& rows);
-    Accuracy finish(const Reference& reference);
+    Accuracy finish(const Reference& reference, double rounding);
 
 private:
     struct Sample {

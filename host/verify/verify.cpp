@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "gonio/compute.hpp"
 #include "verify/cases.hpp"
@@ -18,39 +20,59 @@ namespace {
 constexpr double absolute_bound = 1e-9;
 constexpr double reciprocity_bound = 1e-6;
 
-struct Values {
-    std::vector<float> device;
-    std::vector<double> reference;
+using Vectors = std::vector<std::pair<glm::dvec3, glm::dvec3>>;
+
+/// Directions, given as a kernel and as a reference wants them.
+struct GridCases {
+    explicit GridCases(Grid cells) : grid(std::move(cells))
+    {
+        const GridVectors table(grid);
+        const std::size_t length = grid.axes.back().values.size();
+        std::size_t count = 1;
+        for (const Axis& axis : grid.axes) count *= axis.values.size();
+        for (std::size_t k = 0; k < count; ++k) vectors.push_back(table.at(k / length, k % length));
+    }
+    Grid grid;
+    Vectors vectors;
 };
 
-Values on_grid(const Device& device, const Material& material, Measure measure, const Grid& grid)
-{
-    Values values;
-    const Reference reference = make_reference(material, measure);
-    const std::size_t length = grid.axes.back().values.size();
-    compute_grid(device, material, measure, grid, [&](const Rows<float>& rows) {
-        values.device.insert(values.device.end(), rows.planes[0],
-                             rows.planes[0] + rows.count * length);
-    });
-    const GridVectors vectors(grid);
-    values.reference.reserve(values.device.size());
-    for (std::size_t k = 0; k < values.device.size(); ++k) {
-        const auto [l, v] = vectors.at(k / length, k % length);
-        values.reference.push_back(l.z > 0 && v.z > 0 ? reference(l, v, 0) : 0);
+struct PointCases {
+    explicit PointCases(std::size_t count) : pairs(verification_pairs(count))
+    {
+        for (const DirectionPair& pair : pairs) vectors.push_back(unit_vectors(pair));
     }
+    std::vector<DirectionPair> pairs;
+    Vectors vectors;
+};
+
+std::vector<float> values_of(const Device& device, const Material& material, const Grid& grid)
+{
+    std::vector<float> values;
+    const std::size_t length = grid.axes.back().values.size();
+    compute_grid(device, material, Measure::as_printed, grid, [&](const Rows<float>& rows) {
+        values.insert(values.end(), rows.planes[0], rows.planes[0] + rows.count * length);
+    });
     return values;
 }
 
-Values on_points(const Device& device, const Material& material, Measure measure,
-                 const std::vector<DirectionPair>& pairs)
+std::vector<float> values_of(const Device& device, const Material& material,
+                             const std::vector<DirectionPair>& pairs)
 {
-    Values values{compute_points(device, material, measure, pairs)[0], {}};
-    const Reference reference = make_reference(material, measure);
-    for (const DirectionPair& pair : pairs) {
-        const auto [l, v] = unit_vectors(pair);
-        values.reference.push_back(reference(l, v, 0));
-    }
-    return values;
+    return compute_points(device, material, Measure::as_printed, pairs)[0];
+}
+
+Accuracy accuracy_of(const std::vector<float>& values, const Material& material,
+                     const Vectors& vectors)
+{
+    const Reference reference = make_reference(material, Measure::as_printed);
+    std::vector<double> expected;
+    for (const auto& [l, v] : vectors)
+        expected.push_back(l.z > 0 && v.z > 0 ? reference(l, v, 0) : 0);
+    const double rounding = direction_rounding(material);
+    return compare(values, expected, [&](std::size_t k) {
+        const auto& [l, v] = vectors[k];
+        return l.z > 0 && v.z > 0 ? sensitivity(reference, l, v, 0, rounding) : 0;
+    });
 }
 
 /// Of the BRDF: |f(l, v) - f(v, l)| as a fraction of the greatest f.
@@ -85,10 +107,13 @@ Verdict verify_model(const Device& device, const Model& model, bool quick)
 {
     Verdict verdict{std::string(model.id), {}, 0, 0, 0, {}};
     const std::size_t density = quick ? 2 : 8;
-    const std::vector<DirectionPair> pairs = verification_pairs(quick ? 100 : 2000);
+    const PointCases points(quick ? 100 : 2000);
+    const GridCases half_grid(verification_half_grid(density));
+    std::map<GridKind, GridCases> grids;
     double worst = -1;
-    const auto judge = [&](const Material& material, const Values& values) {
-        const Accuracy accuracy = compare(values.device, values.reference);
+    const auto judge = [&](const Material& material, const std::vector<float>& values,
+                           const Vectors& vectors) {
+        Accuracy accuracy = accuracy_of(values, material, vectors);
         const double bound = accuracy_bound(material);
         // Options of one model may have different bounds: the worst case is the one nearest to its
         // own.
@@ -96,28 +121,25 @@ Verdict verify_model(const Device& device, const Model& model, bool quick)
             worst = accuracy.relative / bound;
             verdict.bound = bound;
             verdict.worst = parameter_text(material.lobes[0]);
+            verdict.accuracy.relative = 0;
+        } else {
+            accuracy.relative = 0;
         }
-        Accuracy scaled = accuracy;
-        scaled.relative = 0;
-        verdict.accuracy.merge(scaled);
-        if (accuracy.relative / bound >= worst) {
-            verdict.accuracy.relative = accuracy.relative;
-            verdict.accuracy.device = accuracy.device;
-            verdict.accuracy.reference = accuracy.reference;
-        }
-        verdict.negative += static_cast<std::size_t>(
-            std::ranges::count_if(values.device, [](float f) { return f < 0; }));
+        verdict.accuracy.merge(accuracy);
+        verdict.negative +=
+            static_cast<std::size_t>(std::ranges::count_if(values, [](float f) { return f < 0; }));
     };
     for (const Material& material : verification_materials(model, quick ? 2 : 16)) {
-        judge(material,
-              on_grid(device, material, Measure::as_printed, verification_grid(material, density)));
-        if (material.isotropic())
-            judge(material,
-                  on_grid(device, material, Measure::as_printed, verification_half_grid(density)));
-        judge(material, on_points(device, material, Measure::as_printed, pairs));
+        const GridKind kind = material.isotropic() ? GridKind::isotropic : GridKind::anisotropic;
+        const GridCases& grid =
+            grids.try_emplace(kind, verification_grid(material, density)).first->second;
+        judge(material, values_of(device, material, grid.grid), grid.vectors);
+        if (kind == GridKind::isotropic)
+            judge(material, values_of(device, material, half_grid.grid), half_grid.vectors);
+        judge(material, values_of(device, material, points.pairs), points.vectors);
         if ((material.lobes[0].traits() & ONE_WAY) == 0)
-            verdict.reciprocity_defect = std::max(verdict.reciprocity_defect,
-                                                  reciprocity_defect(device, material, pairs));
+            verdict.reciprocity_defect = std::max(
+                verdict.reciprocity_defect, reciprocity_defect(device, material, points.pairs));
     }
     return verdict;
 }

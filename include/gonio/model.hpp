@@ -16,6 +16,7 @@ enum Traits : unsigned {
     ONE_WAY = 1,      ///< the BRDF is not reciprocal
     EXPONENTIAL = 2,  ///< accuracy class of exponential and power lobes; algebraic without it
     VALUE = 4,        ///< prints a value that contains cos theta_i, not a BRDF in 1/sr
+    CANCELS = 8,      ///< a fit whose terms cancel: accurate but for float32 directions' rounding
 };
 
 struct Option {

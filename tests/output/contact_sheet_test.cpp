@@ -127,17 +127,20 @@ TEST(ContactCard, SaysModelsVariantsAndWhatIsNotDefault)
     const ContactCard card = make_card(steel);
     EXPECT_EQ(card.title, "steel");
     EXPECT_EQ(card.subtitle, "lambert: weight" + nbsp + "0.25\ntorrance_sparrow: ndf" + nbsp +
-                                 "beckmann, fresnel" + nbsp + "schlick, f0" + nbsp + "(0.9," +
-                                 nbsp + "0.8," + nbsp + "0.7), alpha" + nbsp + "0.3");
+                                 "beckmann, masking" + nbsp + "height_correlated, fresnel" + nbsp +
+                                 "schlick, f0" + nbsp + "(0.9," + nbsp + "0.8," + nbsp +
+                                 "0.7), alpha" + nbsp + "0.3");
 
     Material brushed{"brushed", {default_lobe("ward")}};
-    EXPECT_EQ(make_card(brushed).subtitle, "ward");
+    EXPECT_EQ(make_card(brushed).subtitle, "ward: form" + nbsp + "ward_1992");
     brushed.lobes[0].set("alpha_y", {0.4});
-    EXPECT_EQ(make_card(brushed).subtitle, "ward: alpha_y" + nbsp + "0.4");
+    EXPECT_EQ(make_card(brushed).subtitle,
+              "ward: form" + nbsp + "ward_1992, alpha_y" + nbsp + "0.4");
 
     Material moon{"moon", {default_lobe("oren_nayar")}};
     moon.lobes[0].set("sigma", {30});
-    EXPECT_EQ(make_card(moon).subtitle, "oren_nayar: sigma" + nbsp + "30°");
+    EXPECT_EQ(make_card(moon).subtitle,
+              "oren_nayar: form" + nbsp + "qualitative, sigma" + nbsp + "30°");
 }
 
 }  // namespace

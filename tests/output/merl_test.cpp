@@ -83,7 +83,7 @@ TEST_F(Merl, MarksCellsBelowTheHorizon)
     EXPECT_EQ(stored(bytes, 0, 80, 18, 179), -1);
     EXPECT_GT(stored(bytes, 0, 80, 17, 0), 0);
     EXPECT_GT(stored(bytes, 0, 80, 18, 89), 0);
-    EXPECT_TRUE(std::isnan(read_table(path).values[0][(80u * 90 + 18) * 180]));
+    EXPECT_TRUE(std::isnan(read_table(path).values[0][std::size_t{80 * 90 + 18} * 180]));
 }
 
 TEST_F(Merl, KeepsHeaderAndValues)

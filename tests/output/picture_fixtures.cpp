@@ -25,7 +25,7 @@ Picture read_picture(cairo_surface_t* surface)
     for (int y = 0; y < picture.height; ++y, row += cairo_image_surface_get_stride(surface))
         for (int x = 0; x < picture.width; ++x) {
             std::uint32_t argb = 0;
-            std::memcpy(&argb, row + 4 * x, sizeof argb);
+            std::memcpy(&argb, row + 4L * x, sizeof argb);
             const auto byte = [argb](int shift) { return static_cast<int>(argb >> shift & 255); };
             picture.pixels.push_back({byte(16), byte(8), byte(0), opaque ? 255 : byte(24)});
         }

@@ -16,6 +16,7 @@ namespace {
 using test::Picture;
 
 constexpr int size = 120;
+constexpr double radius = 60;
 const glm::dvec3 key = glm::normalize(glm::dvec3(-0.5, 0.62, 0.6)), viewer(0, 0, 1);
 
 /// The picture of a BRDF that depends on the slopes of the half vector.
@@ -70,8 +71,8 @@ TEST(Sphere, IsOpaqueInsideAndSmoothAtItsRim)
 TEST(Sphere, ADiffuserIsBrightestWhereItFacesTheLight)
 {
     const Picture picture = diffuse(glm::vec3(1));
-    const int x = static_cast<int>(size / 2 * (1 + key.x)),
-              y = static_cast<int>(size / 2 * (1 - key.y));
+    const int x = static_cast<int>(radius * (1 + key.x)),
+              y = static_cast<int>(radius * (1 - key.y));
     const int facing = picture.at(x, y).red;
     for (const test::Pixel& pixel : picture.pixels) EXPECT_LE(pixel.red, facing + 1);
     EXPECT_GT(facing, 200);
@@ -85,8 +86,8 @@ TEST(Sphere, AHighlightLiesWhereTheNormalHalvesLightAndViewer)
     const auto bright = test::extent_of(
         picture, [&](int x, int y) { return x + y < size && picture.at(x, y).red > 150; });
     const glm::dvec3 half = glm::normalize(key + viewer);
-    EXPECT_NEAR(0.5 * (bright.left + bright.right), size / 2 * (1 + half.x), 1.5);
-    EXPECT_NEAR(0.5 * (bright.top + bright.bottom), size / 2 * (1 - half.y), 1.5);
+    EXPECT_NEAR(0.5 * (bright.left + bright.right), radius * (1 + half.x), 1.5);
+    EXPECT_NEAR(0.5 * (bright.top + bright.bottom), radius * (1 - half.y), 1.5);
     EXPECT_LT(bright.width(), size / 6);
 }
 
@@ -97,8 +98,8 @@ TEST(Sphere, SlopesAlongXLieAlongCirclesOfLatitude)
     const auto red = [&](const Picture& picture, glm::dvec3 step) {
         const glm::dvec3 normal = glm::normalize(half + 0.2 * step);
         return picture
-            .at(static_cast<int>(size / 2 * (1 + normal.x)),
-                static_cast<int>(size / 2 * (1 - normal.y)))
+            .at(static_cast<int>(radius * (1 + normal.x)),
+                static_cast<int>(radius * (1 - normal.y)))
             .red;
     };
     const Picture narrow_x =

@@ -47,9 +47,9 @@ struct Printed {
     std::vector<double> absorption;
 };
 
-void PrintTo(const Printed& printed, std::ostream* stream)
+std::ostream& operator<<(std::ostream& stream, const Printed& printed)
 {
-    *stream << printed.name;
+    return stream << printed.name;
 }
 
 class PrintedDigitsTest : public testing::TestWithParam<Printed> {};

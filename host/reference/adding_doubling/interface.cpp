@@ -47,7 +47,7 @@ Interface bottom_interface(const LayeredMedium& medium, const Directions& direct
 {
     const Layer& last = medium.layers.back();
     const auto size = static_cast<Eigen::Index>(directions.all.size());
-    const Interface none{Eigen::ArrayXd::Zero(size), Eigen::ArrayXd::Zero(size)};
+    Interface none{Eigen::ArrayXd::Zero(size), Eigen::ArrayXd::Zero(size)};
     if (std::isinf(last.d)) return none;
     switch (medium.bottom) {
         case Bottom::open:
