@@ -10,9 +10,9 @@
 
 namespace gonio {
 
-/// Every combination of options, each with the defaults, every parameter at both ends of its range,
-/// and `count` random sets.
-std::vector<Material> verification_materials(const Model& model, std::size_t count);
+/// Every combination of options (quick: every option), each with the defaults, every parameter at
+/// both ends of its range, and random sets.
+std::vector<Material> verification_materials(const Model& model, bool quick);
 
 /// Angles from exactly normal to cos theta = 1e-6, pairs at the mirror direction, next to it and at
 /// retro-reflection, and `count` random ones, on a grid that fits the material.

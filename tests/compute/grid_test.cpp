@@ -79,11 +79,16 @@ class EveryModel : public testing::TestWithParam<Model> {};
 
 TEST_P(EveryModel, HasTheSameBitsAtEveryWidth)
 {
+    // Building a program takes longer than running it: each model on each grid at one width, and
+    // each grid at every width with one model or other.
     const Material material = coloured(GetParam());
-    for (const Grid& grid : grids_for(material)) {
-        const auto narrow = values(device_of_width(1), material, grid);
-        for (const unsigned width : {2U, 4U, 8U, 16U})
-            EXPECT_EQ(narrow, values(device_of_width(width), material, grid)) << "width " << width;
+    const std::size_t place = static_cast<std::size_t>(find_model(GetParam().id) - models().data());
+    const std::vector<Grid> grids = grids_for(material);
+    for (std::size_t k = 0; k < grids.size(); ++k) {
+        const unsigned width = 2U << (place + k) % 4;
+        EXPECT_EQ(values(device_of_width(1), material, grids[k]),
+                  values(device_of_width(width), material, grids[k]))
+            << "width " << width << ", grid " << k;
     }
 }
 

@@ -72,7 +72,7 @@ TEST(Lobes, OfTheWholeCatalogueAddUpInOneProgram)
 TEST(Lobes, OfEveryOptionHaveTheSameBitsAtEveryWidth)
 {
     const Device narrow("", 1);
-    for (const unsigned width : {4U, 8U, 16U}) {
+    for (const unsigned width : {2U, 4U, 8U, 16U}) {
         const Device wide("", width);
         for (const Material& sum : sums())
             EXPECT_EQ(values(narrow, sum), values(wide, sum)) << "width " << width;
