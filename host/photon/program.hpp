@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the photon kernel is compiled for, and the numbers that it reads.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gonio/photons.hpp"
+
+namespace gonio {
+
+/// Weight of a whole photon in the units of the kernel.
+inline constexpr std::uint32_t whole_photon = std::uint32_t{1} << 30;
+
+/// A beam behind the first boundary, and how diffuse light meets it.
+struct KernelSource {
+    float sine = 0, cosine = 1;
+    std::uint32_t weight = whole_photon;  ///< what the boundary lets in
+    float ratio = 1, excess = 0;
+};
+
+struct PhotonProgram {
+    std::string preamble;                  ///< the program's first lines
+    std::vector<std::string> definitions;  ///< "NAME=VALUE"
+    std::vector<float> layers;             ///< records of layer_field
+    KernelSource source;
+    float bottom_albedo = 0;
+    float radius_bins_per_cm = 0, depth_bins_per_cm = 0;
+    // Places among the sums, behind the totals and the layers.
+    std::size_t reflected = 0, transmitted = 0, absorbed = 0, sums = 0;
+};
+
+/// Throws UsageError as PhotonTracer does.
+PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& request);
+
+}  // namespace gonio

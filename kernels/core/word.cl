@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whole numbers of the vector width, for random numbers and for what must add up exactly.
+#ifndef GONIO_CORE_WORD
+#define GONIO_CORE_WORD
+#include "core/real.cl"
+
+#if WIDTH == 1
+typedef uint word;
+#define EQUAL(a, b) (-(int)((a) == (b)))
+#define SMALLER(a, b) (-(int)((a) < (b)))
+#define as_words as_uint
+#define word_of convert_uint
+#define long_of convert_ulong
+static inline word choose_word(mask_t mask, word yes, word no)
+{
+    return mask ? yes : no;
+}
+static inline word load_words(const uint* from)
+{
+    return *from;
+}
+static inline void store_words(word value, uint* to)
+{
+    *to = value;
+}
+#else
+typedef JOIN(uint, WIDTH) word;
+#define EQUAL(a, b) ((a) == (b))
+#define SMALLER(a, b) ((a) < (b))
+#define as_words JOIN(as_uint, WIDTH)
+#define word_of JOIN(convert_uint, WIDTH)
+#define long_of JOIN(convert_ulong, WIDTH)
+static inline word choose_word(mask_t mask, word yes, word no)
+{
+    return select(no, yes, mask);
+}
+static inline word load_words(const uint* from)
+{
+    return JOIN(vload, WIDTH)(0, from);
+}
+static inline void store_words(word value, uint* to)
+{
+    JOIN(vstore, WIDTH)(value, 0, to);
+}
+#endif
+static inline mask_t equal(mask_t a, mask_t b)
+{
+    return EQUAL(a, b);
+}
+static inline mask_t smaller(word a, word b)
+{
+    return SMALLER(a, b);
+}
+
+static inline mask_t choose_count(mask_t mask, mask_t yes, mask_t no)
+{
+    return (mask & yes) | (not_(mask) & no);
+}
+
+#endif

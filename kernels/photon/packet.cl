@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photons that a work-item follows in lockstep, one in each lane, and what they have of the layer
+// they are in. Options of the program, with what they mean:
+//   - LAYERS: how many; EACH_LAYER(DO): DO(0) DO(1) and so on, since loops over them crash PoCL 3.1
+//   - BOTTOM: 0 open, 1 mirror, 2 diffuse (a black one has an albedo of 0)
+//   - DIFFUSE_SOURCE: Lambertian light instead of a beam
+//   - CLEAR_TOP: the first layer neither absorbs nor scatters
+//   - REFLECTED, TRANSMITTED: tally by [radius][angle]; ABSORBED by [depth][radius]
+#ifndef GONIO_PHOTON_PACKET
+#define GONIO_PHOTON_PACKET
+#include "photon/phase.cl"
+#include "photon/tally.cl"
+
+#ifndef LAYERS
+#define LAYERS 1
+#define EACH_LAYER(DO) DO(0)
+#endif
+#ifndef BOTTOM
+#define BOTTOM 0
+#endif
+#ifndef DIFFUSE_SOURCE
+#define DIFFUSE_SOURCE 0
+#endif
+#ifndef CLEAR_TOP
+#define CLEAR_TOP 0
+#endif
+#ifndef REFLECTED
+#define REFLECTED 0
+#endif
+#ifndef TRANSMITTED
+#define TRANSMITTED 0
+#endif
+#ifndef ABSORBED
+#define ABSORBED 0
+#endif
+
+#define WHOLE_PHOTON 1073741824u
+#define FOR_LANES(i) for (uint i = 0; i < WIDTH; ++i)
+
+typedef struct {
+    real x, y, z;    ///< cm; z from the top of the layer
+    direction u;     ///< z points down
+    word weight;     ///< in units of 2^-30; 0 where a lane has no photon
+    word deposited;  ///< in this layer, and not yet counted
+    mask_t layer, steps;
+    mask_t scattered;
+#if CLEAR_TOP
+    mask_t met_matter;
+#endif
+    stream random;
+    real mean_free_path, absorbed, thickness;
+#if ABSORBED
+    real top;
+#endif
+    phase_function phase;
+} packet;
+
+/// What all photons of a launch share.
+typedef struct {
+    global ulong* tallies;
+    global const float* layers;
+    float radius_bins_per_cm, depth_bins_per_cm;
+} scene;
+
+static inline float layer_value(const scene* s, int layer, int field)
+{
+    return s->layers[layer * layer_fields + field];
+}
+
+/// Gives the lanes of a mask what belongs to the layers they are in.
+static inline void look_up_layer(packet* p, mask_t lanes, const scene* s)
+{
+#define LOOK_UP(k, member, field) \
+    member = choose(here, (real)(layer_value(s, k, layer_##field)), member);
+#if ABSORBED
+#define LOOK_UP_TOP(k) LOOK_UP(k, p->top, top)
+#else
+#define LOOK_UP_TOP(k)
+#endif
+#if TWO_TERMS
+#define LOOK_UP_TERMS(k) LOOK_UP(k, p->phase.g_2, g_2) LOOK_UP(k, p->phase.weight_1, weight_1)
+#else
+#define LOOK_UP_TERMS(k)
+#endif
+#if RAYLEIGH
+#define LOOK_UP_RAYLEIGH(k) LOOK_UP(k, p->phase.rayleigh, rayleigh)
+#else
+#define LOOK_UP_RAYLEIGH(k)
+#endif
+#define LOOK_UP_LAYER(k)                                          \
+    {                                                             \
+        const mask_t here = lanes & equal(p->layer, (mask_t)(k)); \
+        LOOK_UP(k, p->mean_free_path, mean_free_path)             \
+        LOOK_UP(k, p->absorbed, absorbed)                         \
+        LOOK_UP(k, p->thickness, thickness)                       \
+        LOOK_UP(k, p->phase.g_1, g_1)                             \
+        LOOK_UP_TOP(k) LOOK_UP_TERMS(k) LOOK_UP_RAYLEIGH(k)       \
+    }
+    EACH_LAYER(LOOK_UP_LAYER)
+}
+
+static inline mask_t is_alive(const packet* p)
+{
+    return smaller((word)(0), p->weight);
+}
+
+/// Counts what the lanes of a mask have left in their layers.
+static inline void count_deposits(packet* p, mask_t lanes, const scene* s)
+{
+    uint deposits[WIDTH], places[WIDTH];
+    store_words(choose_word(lanes, p->deposited, (word)(0)), deposits);
+    store_words(as_words(p->layer), places);
+    FOR_LANES(i)
+    {
+        if (deposits[i] != 0) add_weight(s->tallies, photon_totals + places[i], deposits[i]);
+    }
+    p->deposited = choose_word(lanes, (word)(0), p->deposited);
+}
+
+/// Adds the weight of the lanes of a mask to one of the totals.
+static inline void count_total(word weight, mask_t lanes, uint total, const scene* s)
+{
+    uint weights[WIDTH];
+    store_words(choose_word(lanes, weight, (word)(0)), weights);
+    FOR_LANES(i)
+    {
+        if (weights[i] != 0) add_weight(s->tallies, total, weights[i]);
+    }
+}
+
+#endif

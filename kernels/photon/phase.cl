@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scattering: the polar angle by inversion of the phase function's distribution, an even azimuth,
+// and the turn.
+#ifndef GONIO_PHOTON_PHASE
+#define GONIO_PHOTON_PHASE
+#include "core/math.cl"
+#include "photon/random.cl"
+
+#ifndef TWO_TERMS
+#define TWO_TERMS 0
+#endif
+#ifndef RAYLEIGH
+#define RAYLEIGH 0
+#endif
+
+/// The phase function of the layer that each lane is in.
+typedef struct {
+    real g_1;
+#if TWO_TERMS
+    real g_2, weight_1;
+#endif
+#if RAYLEIGH
+    real rayleigh;
+#endif
+} phase_function;
+
+typedef struct {
+    real cosine, sine;
+} polar;
+
+/// Henyey and Greenstein 1941, inverted: Wang, Jacques and Zheng 1995, eq. 3.22. Multiplied out,
+/// 1 - cos and 1 + cos have no differences that cancel, for any g.
+static inline polar henyey_greenstein(real g, real u)
+{
+    const real less_g = R(1.0) - g, more_g = R(1.0) + g;
+    const real b = fma(R(2.0) * g, u, less_g);
+    const real scale = R(1.0) / square(b);
+    const real below_one = square(less_g) * (R(1.0) - u) * (more_g + b) * scale;
+    const real above_minus_one = square(more_g) * u * (less_g + b) * scale;
+    const polar result = {R(1.0) - below_one, sqrt(below_one * above_minus_one)};
+    return result;
+}
+
+/// The distribution is (c^3 + 3 c + 4)/8; c = 2 sinh t makes a triple angle of it.
+static inline polar rayleigh_angle(real u)
+{
+    const real x = fma((real)(R(4.0)), u, (real)(R(-2.0)));
+    const real power = fabs(x) + sqrt(fma(x, x, (real)(R(1.0))));
+    const real root = exp_of_negative(log_of_positive(power) * R(-0.333333333333));
+    const real cosine = min(copysign(root - R(1.0) / root, x), (real)(R(1.0)));
+    const real sine2 = (R(1.0) - cosine) * (R(1.0) + cosine);
+    const polar result = {cosine, sqrt(max(sine2, (real)(R(0.0))))};
+    return result;
+}
+
+static inline polar scattering_angle(const phase_function* phase, real u)
+{
+#if TWO_TERMS
+    const real w = phase->weight_1;
+    const mask_t first = less(u, w);
+    const real part = choose(first, u / w, (u - w) / (R(1.0) - w));
+    polar at = henyey_greenstein(choose(first, phase->g_1, phase->g_2), part);
+#else
+    polar at = henyey_greenstein(phase->g_1, u);
+#endif
+#if RAYLEIGH
+    const polar other = rayleigh_angle(u);
+    const mask_t is_other = less((real)(R(0.5)), phase->rayleigh);
+    at.cosine = choose(is_other, other.cosine, at.cosine);
+    at.sine = choose(is_other, other.sine, at.sine);
+#endif
+    return at;
+}
+
+typedef struct {
+    real cosine, sine;
+} azimuth;
+
+/// An even angle: the upper bits choose one within 45 degrees of an axis, the lowest two the axis.
+/// The polynomials' errors are below 1e-7.
+static inline azimuth even_azimuth(word bits)
+{
+    const real angle = (uniform_of(bits) - R(0.5)) * (R(0.5) * PI);
+    const real z = square(angle);
+    real s = (real)(R(-1.9515295891e-4));
+    s = fma(s, z, (real)(R(8.3321608736e-3)));
+    s = fma(s, z, (real)(R(-1.6666654611e-1)));
+    s = fma(s * z, angle, angle);
+    real c = (real)(R(2.443315711809948e-5));
+    c = fma(c, z, (real)(R(-1.388731625493765e-3)));
+    c = fma(c, z, (real)(R(4.166664568298827e-2)));
+    c = fma(c * z, z, fma((real)(R(-0.5)), z, (real)(R(1.0))));
+    const mask_t swapped = -bits_of(bits & 1), sign = bits_of((bits & 2) << 30);
+    const azimuth result = {as_real(bits_of(choose(swapped, s, c)) ^ sign),
+                            as_real(bits_of(choose(swapped, c, s)) ^ sign)};
+    return result;
+}
+
+typedef struct {
+    real x, y, z;
+} direction;
+
+/// Turns a unit vector. The frame around it is that of Duff et al., Building an Orthonormal Basis,
+/// Revisited, JCGT 6(1), 2017; one Newton step keeps the length at 1 however often it turns.
+static inline direction turned(direction u, polar by, azimuth about)
+{
+    const real sign = copysign((real)(R(1.0)), u.z);
+    const real a = R(-1.0) / (sign + u.z);
+    const real b = u.x * u.y * a;
+    const real across = by.sine * about.cosine, aside = by.sine * about.sine;
+    const real signed_across = sign * across;
+    // The frame's vectors are (1 + sign a x^2, sign b, -sign x) and (b, sign + a y^2, -y).
+    const real ax = a * u.x, ay = a * u.y;
+    direction v;
+    v.x = fma(signed_across * ax, u.x, fma(aside, b, fma(by.cosine, u.x, across)));
+    v.y = fma(signed_across, b, fma(aside, fma(ay, u.y, sign), by.cosine * u.y));
+    v.z = fma(by.cosine, u.z, -fma(signed_across, u.x, aside * u.y));
+    const real length2 = fma(v.x, v.x, fma(v.y, v.y, square(v.z)));
+    const real scale = fma((real)(R(-0.5)), length2, (real)(R(1.5)));
+    v.x *= scale;
+    v.y *= scale;
+    v.z *= scale;
+    return v;
+}
+
+#endif
