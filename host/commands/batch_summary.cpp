@@ -57,7 +57,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
     for (const auto& [job, table] : made) print(job, table, width);
     if (std::ranges::any_of(made,
                             [](const auto& entry) { return !entry.second.accuracy.complete; }))
-        fmt::print("* checked on 10^6 stratified cells and the extremes\n");
+        fmt::print("* checked on 250 000 stratified cells and the extremes\n");
     fmt::print("{} made, {} already finished\n", report.made, report.kept);
 }
 

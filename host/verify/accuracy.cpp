@@ -11,7 +11,7 @@ namespace gonio {
 namespace {
 
 constexpr double floor_of_relative = 1e-6;
-constexpr std::size_t all_cells = 2'000'000, sampled_cells = 1'000'000;
+constexpr std::size_t all_cells = 500'000, sampled_cells = 250'000;
 
 }  // namespace
 

@@ -44,7 +44,7 @@ double sensitivity(const Reference& reference, glm::dvec3 l, glm::dvec3 v, std::
 Accuracy compare(const std::vector<float>& device, const std::vector<double>& reference,
                  const std::function<double(std::size_t)>& sensitivity);
 
-/// Gathers cells of a table while its rows pass: all of up to 2 million, else 10^6 stratified ones
+/// Gathers cells of a table while its rows pass: all of up to 500 000, else 250 000 stratified
 /// and the extremes. What was gathered is compared at the end, on all cores.
 class AccuracyCheck {
 public:
