@@ -42,6 +42,7 @@ int parse(int count, char** words)
     gonio::add_table(app);
     gonio::add_run(app);
     gonio::add_info(app);
+    gonio::add_lookup(app);
     gonio::add_verify(app);
     try {
         app.parse(count, words);

@@ -2,16 +2,13 @@
 // gonio eval MODEL: f at listed directions, from the device and from the reference.
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
 #include "commands/parameters.hpp"
+#include "commands/row_list.hpp"
 #include "compute/horizon.hpp"
 #include "gonio/compute.hpp"
-#include "gonio/errors.hpp"
-#include "output/csv_lines.hpp"
 
 namespace gonio {
 namespace {
@@ -22,40 +19,11 @@ struct EvalOptions {
     bool json = false;
 };
 
-/// Rows theta_i, phi_i, theta_o, phi_o in degrees; a first line of names and lines that begin with
-/// # are passed over.
-std::vector<DirectionPair> read_pairs(std::istream& stream, const std::string& name)
-{
-    std::vector<DirectionPair> pairs;
-    CsvLines lines(stream, name);
-    for (bool first = true; lines.next(); first = false) {
-        if (lines.line().empty() || lines.line().starts_with('#')) continue;
-        const std::vector<std::string_view> fields = lines.fields();
-        if (fields.size() != 4)
-            lines.fail(fmt::format("{} fields; a row is theta_i, phi_i, theta_o, phi_o in degrees",
-                                   fields.size()));
-        if (first && fields[0] == "theta_i") continue;
-        const DirectionPair pair{lines.number<double>(fields[0]), lines.number<double>(fields[1]),
-                                 lines.number<double>(fields[2]), lines.number<double>(fields[3])};
-        for (const std::size_t k : {0U, 2U}) {
-            const double theta = k == 0 ? pair.theta_i : pair.theta_o;
-            if (!(theta >= 0 && theta <= 90))
-                lines.fail(fields[k], "an angle from the normal; allowed is 0 to 90 degrees");
-        }
-        for (const std::size_t k : {1U, 3U})
-            if (!(std::abs(k == 1 ? pair.phi_i : pair.phi_o) <= 36000))
-                lines.fail(fields[k], "not an azimuth in degrees");
-        pairs.push_back(pair);
-    }
-    return pairs;
-}
-
 std::vector<DirectionPair> read_pairs(const std::string& path)
 {
-    if (path == "-") return read_pairs(std::cin, "standard input");
-    std::ifstream file(path);
-    if (!file) throw UsageError(fmt::format("{}: cannot be read", path));
-    return read_pairs(file, path);
+    std::vector<DirectionPair> pairs;
+    for (const auto& row : read_rows(path, direction_columns())) pairs.push_back(pair_of(row));
+    return pairs;
 }
 
 std::vector<std::vector<double>> reference_values(const Material& material,

@@ -34,9 +34,9 @@ double number_of(std::string_view text, std::string_view what)
     return number;
 }
 
-Lobe lobe_of_words(const std::string& model, const std::vector<std::string>& words)
+std::vector<std::pair<std::string, std::string>> named_values(const std::vector<std::string>& words)
 {
-    Lobe lobe = default_lobe(model);
+    std::vector<std::pair<std::string, std::string>> all;
     for (std::size_t k = 0; k < words.size(); ++k) {
         std::string name = words[k];
         if (!name.starts_with("--"))
@@ -52,8 +52,15 @@ Lobe lobe_of_words(const std::string& model, const std::vector<std::string>& wor
         } else {
             throw UsageError(fmt::format("--{} has no value", name));
         }
-        set(lobe, name, value);
+        all.emplace_back(name, value);
     }
+    return all;
+}
+
+Lobe lobe_of_words(const std::string& model, const std::vector<std::string>& words)
+{
+    Lobe lobe = default_lobe(model);
+    for (const auto& [name, value] : named_values(words)) set(lobe, name, value);
     return lobe;
 }
 

@@ -3,13 +3,19 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gonio/material.hpp"
 
 namespace gonio {
 
-/// words: what the verb's own options left over. Throws UsageError with the nearest name and the
+/// --name value or --name=value: what the verb's own options left over, as pairs. Throws
+/// UsageError.
+std::vector<std::pair<std::string, std::string>> named_values(
+    const std::vector<std::string>& words);
+
+/// The model with parameters from such words. Throws UsageError with the nearest name and the
 /// allowed range.
 Lobe lobe_of_words(const std::string& model, const std::vector<std::string>& words);
 

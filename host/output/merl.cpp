@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "gonio/errors.hpp"
+#include "grid/rusinkiewicz.hpp"
 #include "output/check.hpp"
 #include "output/formats.hpp"
 #include "output/plane_file.hpp"
@@ -65,17 +65,6 @@ void require_standard(const TableHeader& header)
         "Rusinkiewicz grid with MERL's spacing, samples at centres) of 1 or 3 channels; this table "
         "has {} values of {} channels, or other axes",
         shape_text(header), header.channels.size()));
-}
-
-/// Do the angles (degrees) put light or viewer below the horizon? With h at theta_h, the cosines of
-/// light and viewer are cos theta_h cos theta_d -+ sin theta_h sin theta_d cos phi_d
-/// (Rusinkiewicz 1998, section 3).
-bool is_below_horizon(double theta_h, double theta_d, double phi_d)
-{
-    constexpr double radian = std::numbers::pi / 180;
-    const double even = std::cos(theta_h * radian) * std::cos(theta_d * radian);
-    const double odd = std::sin(theta_h * radian) * std::sin(theta_d * radian);
-    return even <= odd * std::abs(std::cos(phi_d * radian));
 }
 
 PlaneLayout layout_of(const Sizes& sizes)

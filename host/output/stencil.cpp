@@ -56,11 +56,13 @@ struct Cubic {
 
 }  // namespace
 
-Stencil::Stencil(const Axis& axis)
+Stencil::Stencil(const Axis& axis, Start start)
     : sign_(axis.values.back() < axis.values.front() ? -1 : 1),
       has_both_ends_(axis.samples == Samples::node)
 {
     for (const double value : axis.values) positions_.push_back(sign_ * value);
+    has_pole_ = start == Start::pole && sign_ > 0 && positions_.size() > 1 && positions_[0] >= 0 &&
+                positions_[0] <= positions_[1] - positions_[0];
     const auto count = static_cast<double>(positions_.size());
     const bool is_azimuth = axis.name.find("phi") != std::string::npos && axis.unit == "deg";
     if (!is_azimuth || count < 3 || !is_evenly_spaced(axis)) return;
@@ -78,7 +80,8 @@ Stencil::Stencil(const Axis& axis)
 
 bool Stencil::exists(std::ptrdiff_t k) const
 {
-    return beyond_ != Beyond::hold || (k >= 0 && k < std::ssize(positions_));
+    return beyond_ != Beyond::hold || (k >= 0 && k < std::ssize(positions_)) ||
+           (k < 0 && has_pole_);
 }
 
 /// Sample k, counted on beyond the ends; k is less than one range away from them.
@@ -88,15 +91,19 @@ Stencil::Point Stencil::point(std::ptrdiff_t k) const
     const auto last = count - 1;
     const auto at = [&](std::ptrdiff_t j) { return positions_[static_cast<std::size_t>(j)]; };
     const auto index = [](std::ptrdiff_t j) { return static_cast<std::size_t>(j); };
-    if (k >= 0 && k < count) return {index(k), at(k)};
+    if (k >= 0 && k < count) return {index(k), at(k), false};
+    if (has_pole_) {
+        const auto j = positions_[0] == 0 ? -k : -k - 1;
+        return {index(j), -at(j), true};
+    }
     if (beyond_ == Beyond::repeat) {
         const auto period = has_both_ends_ ? last : count;
         const auto j = k < 0 ? k + period : k - period;
-        return {index(j), at(j) + (k < 0 ? low_ - high_ : high_ - low_)};
+        return {index(j), at(j) + (k < 0 ? low_ - high_ : high_ - low_), false};
     }
     const auto skipped = has_both_ends_ ? 0 : 1;
     const auto j = k < 0 ? -k - skipped : 2 * last - k + skipped;
-    return {index(j), 2 * (k < 0 ? low_ : high_) - at(j)};
+    return {index(j), 2 * (k < 0 ? low_ : high_) - at(j), false};
 }
 
 double Stencil::into_range(double position) const
@@ -109,20 +116,23 @@ double Stencil::into_range(double position) const
         const double folded = position - 2 * range * std::floor((position - low_) / (2 * range));
         return folded > high_ ? 2 * high_ - folded : folded;
     }
-    return std::clamp(position, positions_.front(), positions_.back());
+    return std::clamp(position, has_pole_ ? 0 : positions_.front(), positions_.back());
 }
 
-std::vector<std::pair<std::size_t, double>> Stencil::at(double coordinate, Interpolation how) const
+std::vector<Stencil::Share> Stencil::at(double coordinate, Interpolation how) const
 {
-    if (positions_.size() == 1) return {{0, 1.0}};
+    if (positions_.size() == 1) return {{0, 1, false}};
     const double position = into_range(sign_ * coordinate);
     auto k =
         std::upper_bound(positions_.begin(), positions_.end(), position) - positions_.begin() - 1;
     if (!exists(k + 1)) --k;
     const double step = point(k + 1).position - point(k).position;
     const double t = (position - point(k).position) / step;
-    if (how == Interpolation::nearest) return {{point(t < 0.5 ? k : k + 1).sample, 1.0}};
-    if (how == Interpolation::linear) return {{point(k).sample, 1 - t}, {point(k + 1).sample, t}};
+    const auto share = [this](std::ptrdiff_t j, double weight) {
+        return Share{point(j).sample, weight, point(j).behind_pole};
+    };
+    if (how == Interpolation::nearest) return {share(t < 0.5 ? k : k + 1, 1)};
+    if (how == Interpolation::linear) return {share(k, 1 - t), share(k + 1, t)};
 
     Cubic cubic;
     for (std::size_t j = 0; j < 4; ++j) {
@@ -134,12 +144,12 @@ std::vector<std::pair<std::size_t, double>> Stencil::at(double coordinate, Inter
     cubic.weight[2] = t * t * (3 - 2 * t);
     cubic.add_slope(1, step * t * (1 - t) * (1 - t));
     cubic.add_slope(2, -step * t * t * (1 - t));
-    std::vector<std::pair<std::size_t, double>> weights;
+    std::vector<Share> shares;
     for (std::size_t j = 0; j < 4; ++j) {
         if (!cubic.exists[j]) continue;
-        weights.emplace_back(point(k - 1 + static_cast<std::ptrdiff_t>(j)).sample, cubic.weight[j]);
+        shares.push_back(share(k - 1 + static_cast<std::ptrdiff_t>(j), cubic.weight[j]));
     }
-    return weights;
+    return shares;
 }
 
 }  // namespace gonio

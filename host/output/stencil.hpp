@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "gonio/table.hpp"
@@ -17,19 +16,34 @@ enum class Interpolation { nearest, linear, cubic };
 
 /// Beyond an axis' ends: an azimuth (its name holds "phi", its unit is "deg", three or more even
 /// samples) over 360 degrees repeats; delta_phi over 180 degrees is mirrored, phi_d over 180
-/// degrees repeats (reciprocity). Every other axis is held at its first and last sample.
+/// degrees repeats (reciprocity). An angle from a pole that starts there goes on behind it, on the
+/// other side of the circle. Every other end is held: beyond it the last sample counts.
 class Stencil {
 public:
-    explicit Stencil(const Axis& axis);
+    enum class Start { end, pole };
 
-    /// Pairs of sample and weight at `coordinate`, in the axis' unit. The weights sum to 1.
-    std::vector<std::pair<std::size_t, double>> at(double coordinate, Interpolation how) const;
+    /// start: is 0 a pole, whose azimuth is another axis that goes all round?
+    explicit Stencil(const Axis& axis, Start start = Start::end);
+
+    /// A sample and its weight. Behind the pole it is the one half a turn of the azimuth away.
+    struct Share {
+        std::size_t sample;
+        double weight;
+        bool behind_pole;
+    };
+
+    /// The shares at `coordinate`, in the axis' unit. The weights sum to 1.
+    std::vector<Share> at(double coordinate, Interpolation how) const;
+
+    /// Does every coordinate lie between samples?
+    bool goes_round() const { return beyond_ != Beyond::hold; }
 
 private:
     enum class Beyond { hold, repeat, mirror };
     struct Point {
         std::size_t sample;
         double position;
+        bool behind_pole;
     };
 
     bool exists(std::ptrdiff_t k) const;
@@ -40,7 +54,8 @@ private:
     std::vector<double> positions_;  // the axis' values times sign_
     Beyond beyond_ = Beyond::hold;
     bool has_both_ends_;  // first and last sample are the ends: of a full circle they are the same
-    double low_ = 0;      // the ends of the range, where it repeats or is mirrored
+    bool has_pole_ = false;
+    double low_ = 0;  // the ends of the range, where it repeats or is mirrored
     double high_ = 0;
 };
 
