@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// gonio models [ID]: the catalogue, and all about one model.
+// gonio models [ID]: the catalogue, all about one model, and its plot.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/parameters.hpp"
+#include "gonio/errors.hpp"
 #include "gonio/material.hpp"
+#include "output/model_plot.hpp"
 
 namespace gonio {
 namespace {
@@ -108,10 +111,21 @@ void add_models(CLI::App& app)
     CLI::App* verb = app.add_subcommand("models", "List the reflectance models, or all about one");
     const auto id = std::make_shared<std::string>();
     const auto json = std::make_shared<bool>(false);
-    verb->add_option("ID", *id, "a model or an alias");
+    const auto plot = std::make_shared<std::string>();
+    verb->add_option("ID", *id,
+                     "a model or an alias; for a plot its parameters follow as --name value");
+    verb->add_option("--plot", *plot,
+                     "draw its lobe at four angles and its directional albedo: .png or .svg");
     verb->add_flag("--json", *json, "Print JSON");
-    verb->callback([id, json] {
+    verb->allow_extras();
+    verb->callback([verb, id, json, plot] {
+        const std::vector<std::string> words = verb->remaining();
+        if (plot->empty() && !words.empty())
+            throw UsageError(fmt::format("what is `{}`? Parameters are for --plot", words.front()));
+        if (id->empty() && !plot->empty()) throw UsageError("--plot needs the ID of a model");
         if (id->empty()) return list(*json);
+        if (!plot->empty())
+            return write_model_plot(*plot, Material{*id, {lobe_of_words(*id, words)}});
         const Model& model = *default_lobe(*id).model;
         if (*json)
             fmt::print("{}\n", json_of(model).dump(2));

@@ -20,6 +20,7 @@ namespace {
 constexpr double scale = 1.25, gap = 20, padding = 22, card_width = 580, card_height = 272,
                  corner = 10;
 constexpr int sphere_pixels = 260;
+constexpr double lobe_light = 45;  // degrees
 constexpr Colour page = hex(0xe9ecef), paper = hex(0xffffff), ink = hex(0x202124),
                  shade = hex(0x101418);
 constexpr Font title{18, true, ink}, small{12, false, hex(0x5f6368)};
@@ -85,7 +86,7 @@ void draw_card(cairo_t* cairo, const Box& box, const ContactCard& card, const Sp
     const double width = box.width - box.height - 2 * padding;
     draw_text(cairo, title, left, box.y + 32, card.title, Align::left, width);
     draw_paragraph(cairo, small, left, box.y + 53, card.subtitle, width, 3);
-    draw_lobe(cairo, brdf.subspan(sphere.pairs().size()), left,
+    draw_lobe(cairo, brdf.subspan(sphere.pairs().size()), lobe_light, left,
               box.y + box.height - 8 - lobe_plot_height(width), width);
 }
 
@@ -129,7 +130,7 @@ void write_contact_sheet(const std::filesystem::path& path, const Device& device
 
     const Sphere sphere(sphere_pixels);
     std::vector<DirectionPair> pairs = sphere.pairs();
-    std::ranges::copy(lobe_pairs(), std::back_inserter(pairs));
+    std::ranges::copy(lobe_pairs(lobe_light), std::back_inserter(pairs));
     for (std::size_t k = 0; k < cards.size(); ++k) {
         const auto brdf = as_rgb(compute_points(device, cards[k].material, Measure::brdf, pairs));
         draw_card(cairo, layout.box(k), cards[k], sphere, brdf);

@@ -15,20 +15,21 @@
 namespace gonio {
 namespace {
 
-constexpr double theta_i = 45, margin = 10, label_height = 30;
+constexpr double margin = 10, label_height = 30;
 constexpr Colour disc = hex(0xf3f5f7), ring = hex(0xb4b9be), ground = hex(0x8a9096),
                  ink = hex(0x3c4043), arrow = hex(0xe0952c), neutral = hex(0x5f7f9f);
 constexpr Font label{10.5, false, hex(0x5f6368)};
 
 /// From the horizon on the light's side, -90 degrees, to the other one; dense at the mirror
 /// direction.
-std::vector<double> viewing_angles()
+std::vector<double> viewing_angles(double theta_i)
 {
     std::vector<double> angles;
     for (int k = -180; k <= 180; ++k) angles.push_back(0.5 * k);
     constexpr int steps = 90;
     for (int k = -steps; k <= steps; ++k)
-        angles.push_back(theta_i + 45 * std::pow(static_cast<double>(k) / steps, 3));
+        angles.push_back(
+            std::min(theta_i + 45 * std::pow(static_cast<double>(k) / steps, 3), 90.0));
     std::ranges::sort(angles);
     angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     return angles;
@@ -37,9 +38,10 @@ std::vector<double> viewing_angles()
 /// A half disc on the page.
 struct Plot {
     cairo_t* cairo;
-    double x, y;    ///< the point that the light hits
-    double radius;  ///< of the outermost ring
-    double peak;    ///< the BRDF there, 1/sr
+    double x, y;     ///< the point that the light hits
+    double radius;   ///< of the outermost ring
+    double peak;     ///< the BRDF there, 1/sr
+    double theta_i;  ///< of the light, degrees
 
     double radius_of(double brdf) const { return radius * std::cbrt(brdf / peak); }
 
@@ -88,7 +90,7 @@ void draw_rings(const Plot& plot)
 void trace(const Plot& plot, std::span<const glm::vec3> brdf,
            const std::function<float(glm::vec3)>& value)
 {
-    const std::vector<double> thetas = viewing_angles();
+    const std::vector<double> thetas = viewing_angles(plot.theta_i);
     plot.add_point(0, 0);
     for (std::size_t k = 0; k < thetas.size(); ++k)
         plot.add_point(thetas[k], plot.radius_of(value(brdf[k])));
@@ -133,23 +135,23 @@ void draw_directions(const Plot& plot)
     plot.draw_ray(90, plot.radius + 8, 0, ground, 1.5);
     const std::array dashes{4.0, 3.0};
     cairo_set_dash(plot.cairo, dashes.data(), 2, 0);
-    plot.draw_ray(theta_i, 0, plot.radius + 8, ink, 1);
+    plot.draw_ray(plot.theta_i, 0, plot.radius + 8, ink, 1);
     cairo_set_dash(plot.cairo, nullptr, 0, 0);
 
-    plot.draw_ray(-theta_i, plot.radius + 8, 9, arrow, 2);
+    plot.draw_ray(-plot.theta_i, plot.radius + 8, 9, arrow, 2);
     plot.add_point(0, 0);
-    plot.add_point(-theta_i - 16, 12);
-    plot.add_point(-theta_i + 16, 12);
+    plot.add_point(-plot.theta_i - 16, 12);
+    plot.add_point(-plot.theta_i + 16, 12);
     set_colour(plot.cairo, arrow);
     cairo_fill(plot.cairo);
 }
 
 }  // namespace
 
-std::vector<DirectionPair> lobe_pairs()
+std::vector<DirectionPair> lobe_pairs(double theta_i)
 {
     std::vector<DirectionPair> pairs;
-    for (const double theta : viewing_angles())
+    for (const double theta : viewing_angles(theta_i))
         pairs.push_back({theta_i, 180, std::abs(theta), theta < 0 ? 180.0 : 0.0});
     return pairs;
 }
@@ -159,11 +161,13 @@ double lobe_plot_height(double width)
     return width / 2 + label_height;
 }
 
-void draw_lobe(cairo_t* cairo, std::span<const glm::vec3> brdf, double x, double y, double width)
+void draw_lobe(cairo_t* cairo, std::span<const glm::vec3> brdf, double theta_i, double x, double y,
+               double width)
 {
     float peak = 0;
     for (const glm::vec3 value : brdf) peak = std::max(peak, greatest(value));
-    const Plot plot{cairo, x + width / 2, y + width / 2, width / 2 - margin, peak > 0 ? peak : 1};
+    const Plot plot{cairo,  x + width / 2, y + width / 2, width / 2 - margin, peak > 0 ? peak : 1,
+                    theta_i};
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     draw_rings(plot);
     draw_curves(plot, brdf);

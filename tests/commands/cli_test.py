@@ -50,7 +50,7 @@ class Cli(unittest.TestCase):
 
     def test_help_of_every_verb(self):
         listing = self.gonio("--help")
-        for verb in ("devices", "models", "eval", "table", "run", "info", "verify"):
+        for verb in ("devices", "models", "eval", "table", "run", "info", "lookup", "verify"):
             self.assertIn(verb, listing)
             self.assertIn("Usage", self.gonio(verb, "--help"))
 
@@ -61,6 +61,18 @@ class Cli(unittest.TestCase):
         self.assertEqual(
             json.loads(self.gonio("models", "ggx", "--json"))["id"], "torrance_sparrow"
         )
+
+    def test_plot_of_a_model(self):
+        for name, start in (("a.png", b"\x89PNG"), ("a.svg", b"<?xml")):
+            self.gonio("models", "ggx", "--plot", name, "--f0", "1,0.8,0.3", "--alpha=0.3")
+            first = (self.at / name).read_bytes()
+            self.assertTrue(first.startswith(start))
+            self.gonio("models", "ggx", "--plot", name, "--f0", "1,0.8,0.3", "--alpha=0.3")
+            self.assertEqual((self.at / name).read_bytes(), first)
+        self.assertIn(".svg", self.gonio("models", "ggx", "--plot", "a.pdf", code=2))
+        self.gonio("models", "--plot", "b.svg", code=2)
+        self.gonio("models", "ggx", "--alpha", "0.3", code=2)
+        self.gonio("models", "ggx", "--plot", "none/b.svg", code=1)
 
     def test_eval_agrees_with_the_reference(self):
         rows = "theta_i,phi_i,theta_o,phi_o\n30,0,30,180\n45,0,20,150\n90,0,10,0\n"
@@ -106,6 +118,52 @@ class Cli(unittest.TestCase):
             "m.binary",
         )
         self.assertEqual((self.at / "m.binary").stat().st_size, 12 + 3 * 8 * 90 * 90 * 180)
+
+    def test_lookup(self):
+        rows = "theta_i,phi_i,theta_o,phi_o\n30.5,400,30.5,220\n12,0,0.2,-77\n"
+        model = ["ggx", "--alpha", "0.4"]
+        expected = [
+            row["reference"][0]
+            for row in json.loads(self.gonio("eval", *model, "--json", text=rows))["rows"]
+        ]
+        for name, grid in (
+            ("a.exr", ["--grid", "60x60x120"]),
+            ("b.npy", ["--grid", "20x40x20x40", "--samples", "node"]),
+            ("c.csv", ["--grid", "40x40x60", "--kind", "rusinkiewicz"]),
+            ("d.binary", ["--grid", "90x90x180", "--kind", "rusinkiewicz", "--spacing", "merl"]),
+        ):
+            self.gonio("table", *model, *grid, "-o", name)
+            (self.at / "at.csv").write_text(rows)
+            for how, error in (("linear", 0.02), ("cubic", 0.01)):
+                lines = self.gonio("lookup", name, "--at", "at.csv", "--interpolation", how)
+                found = json.loads(
+                    self.gonio("lookup", name, "--interpolation", how, "--json", text=rows)
+                )
+                for k, line in enumerate(lines.splitlines()[1:]):
+                    value = float(line.split(",")[4])
+                    self.assertEqual(found["rows"][k]["value"][0], value)
+                    self.assertAlmostEqual(value, expected[k], delta=error * expected[k])
+            self.assertIn("standard input:1:1", self.gonio("lookup", name, text="91,0,0,0", code=2))
+        self.assertIn("nearest", self.gonio("lookup", "a.exr", "--interpolation", "spline", code=2))
+        self.gonio("lookup", "missing.exr", code=1)
+        (self.at / "text.exr").write_text("not a table")
+        self.gonio("lookup", "text.exr", code=2)
+
+    def test_lookup_in_a_swept_table(self):
+        (self.at / "scene.toml").write_text(SCENE.format(n=8).replace('"files"', '"axis"'))
+        self.gonio("run", "scene.toml")
+        row = "20,0,20,180\n"
+        (table,) = (self.at / "tables").glob("*.exr")
+        missing = self.gonio("lookup", table, text=row, code=2)
+        self.assertIn("--alpha; it has 0.1, 0.2, 0.3, 0.4", missing)
+        elsewhere = self.gonio("lookup", table, "--alpha=0.25", text=row, code=2)
+        self.assertIn("0.25 is not in", elsewhere)
+        self.assertIn("`alpha`?", self.gonio("lookup", table, "--alphq", "0.1", code=2, text=row))
+        values = [
+            float(self.gonio("lookup", table, f"--alpha={a}", text=row).split(",")[-1])
+            for a in (0.1, 0.2, 0.4)
+        ]
+        self.assertEqual(values, sorted(values, reverse=True))
 
     def test_the_same_request_gives_the_same_bytes(self):
         for name, width in (("a.exr", "1"), ("b.exr", "16")):

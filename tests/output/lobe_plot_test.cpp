@@ -22,13 +22,13 @@ constexpr double centre = 140, radius = 130;
 Picture plot(const std::function<glm::vec3(double theta)>& brdf)
 {
     std::vector<glm::vec3> values;
-    for (const DirectionPair& pair : lobe_pairs())
+    for (const DirectionPair& pair : lobe_pairs(45))
         values.push_back(brdf(pair.phi_o == 0 ? pair.theta_o : -pair.theta_o));
     const Surface page = make_image(CAIRO_FORMAT_RGB24, width, 180);
     const Context context = make_context(page.get());
     set_colour(context.get(), {1, 1, 1});
     cairo_paint(context.get());
-    draw_lobe(context.get(), values, 0, 0, width);
+    draw_lobe(context.get(), values, 45, 0, 0, width);
     return test::read_picture(page.get());
 }
 
@@ -48,7 +48,7 @@ bool is_filled(const test::Pixel& pixel)
 
 TEST(LobePlot, AsksForThePlaneOfIncidenceFromHorizonToHorizon)
 {
-    const auto pairs = lobe_pairs();
+    const auto pairs = lobe_pairs(45);
     bool mirror = false;
     for (const DirectionPair& pair : pairs) {
         EXPECT_EQ(pair.theta_i, 45);
