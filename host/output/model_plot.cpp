@@ -55,8 +55,9 @@ void write_model_plot(const std::filesystem::path& path, const Material& materia
     Page page(path, width, height);
     draw_header(page.cairo(), material);
     for (std::size_t k = 0; k < angles.size(); ++k) {
-        const double x = margin + static_cast<double>(k % 2) * (lobe_width + gap);
-        const double y = header + static_cast<double>(k / 2) * cell;
+        const std::size_t column = k % 2, row = k / 2;
+        const double x = margin + static_cast<double>(column) * (lobe_width + gap);
+        const double y = header + static_cast<double>(row) * cell;
         draw_text(page.cairo(), heading, x, y + 12, fmt::format("light at {}°", angles[k]));
         draw_lobe(page.cairo(), values_of(material, lobe_pairs(angles[k])), angles[k], x,
                   y + caption, lobe_width);
