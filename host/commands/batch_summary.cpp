@@ -8,6 +8,7 @@
 
 #include "compute/make_table.hpp"
 #include "opencl/store_rate.hpp"
+#include "photon/light_table.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/interrupt.hpp"
@@ -33,15 +34,44 @@ void print(const Job& job, const MadeTable& made, std::size_t width)
                job.path.string());
 }
 
+/// Makes the table of layers with a line of progress; returns the line of the summary.
+std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device, const Job& job,
+                                                           bool best_effort, Progress& progress)
+{
+    const double cells = static_cast<double>(job.header.cells());
+    double told = 0;
+    const LightTable made =
+        make_light_table(device, job, best_effort, [&](const LightProgress& now) {
+            progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
+                                       now.photons_per_second, now.error));
+            progress.advance(cells * std::max(0.0, now.fraction - told));
+            told = std::max(told, now.fraction);
+            throw_if_interrupted();
+        });
+    progress.advance(cells * (1 - told));
+    const auto how = made.photons == 0 ? std::string("without noise")
+                                       : fmt::format("{} photons, {:.3g} photons/s", made.photons,
+                                                     made.photons_per_second);
+    return {fmt::format("{}: solver {}, {}, error {:.1e} of the largest value, {}\n", job.name,
+                        job.layers->solver, how, made.error, job.path.string()),
+            made.run};
+}
+
 }  // namespace
 
-void run_jobs(const Device& device, const std::vector<Job>& jobs)
+void run_jobs(const Device& device, const std::vector<Job>& jobs, bool best_effort)
 {
     catch_interrupts();
     fmt::print("on {} ({}, driver {}, width {})\n", device.info().name, device.info().platform_name,
                device.info().driver, device.width());
     std::vector<std::pair<Job, MadeTable>> made;
+    std::string of_layers;
     const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
+        if (job.layers) {
+            const auto [line, run] = make_layers(device, job, best_effort, progress);
+            of_layers += line;
+            return run;
+        }
         const double channels = static_cast<double>(job.header.channels.size());
         made.emplace_back(job, make_table(device, job, [&](std::size_t cells) {
                               progress.advance(channels * static_cast<double>(cells));
@@ -58,6 +88,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
     if (std::ranges::any_of(made,
                             [](const auto& entry) { return !entry.second.accuracy.complete; }))
         fmt::print("* checked on 250 000 stratified cells and the extremes\n");
+    fmt::print("{}", of_layers);
     fmt::print("{} made, {} already finished\n", report.made, report.kept);
 }
 

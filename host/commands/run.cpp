@@ -13,7 +13,7 @@ namespace {
 struct RunOptions {
     DeviceOptions device;
     std::string scene, output, sheet;
-    bool dry_run = false;
+    bool dry_run = false, best_effort = false;
 };
 
 void run(const RunOptions& options)
@@ -23,7 +23,7 @@ void run(const RunOptions& options)
     const std::vector<Job> jobs = plan_jobs(scene, options.output);
     const Device device = options.device.open();
     if (options.dry_run) return print_estimate(device, jobs);
-    run_jobs(device, jobs);
+    run_jobs(device, jobs, options.best_effort);
     if (options.sheet.empty()) return;
     std::vector<ContactCard> cards;
     for (const SceneMaterial& material : scene.materials)
@@ -46,6 +46,8 @@ void add_run(CLI::App& app)
     verb->add_option("--sheet", options->sheet,
                      "PNG with a sphere and a lobe for every material of the scene");
     verb->add_flag("--dry-run", options->dry_run, "Only say size, memory and time");
+    verb->add_flag("--best-effort", options->best_effort,
+                   "Keep tables whose max_error was not reached in their time or photons");
     options->device.add_to(*verb);
     verb->callback([options] { run(*options); });
 }

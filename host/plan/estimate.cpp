@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <system_error>
 
@@ -40,6 +42,7 @@ std::string size_text(double bytes)
 
 std::string time_text(double seconds)
 {
+    if (std::isnan(seconds)) return "?";
     if (seconds < 1) return "below 1 s";
     if (seconds < 120) return fmt::format("{:.0f} s", seconds);
     return fmt::format("{:.0f} min", seconds / 60);
@@ -71,7 +74,9 @@ Estimate estimate(const Job& job, double values_per_second)
     cost.file_bytes = file_bytes(job, cost.values);
     cost.memory_bytes = std::min<std::uint64_t>(cost.values * sizeof(float),
                                                 tiles_in_memory * ComputeOptions{}.tile_bytes);
-    cost.seconds = static_cast<double>(cost.values) / values_per_second;
+    // What a photon takes is known when some have been followed.
+    cost.seconds = job.layers ? std::numeric_limits<double>::quiet_NaN()
+                              : static_cast<double>(cost.values) / values_per_second;
     return cost;
 }
 

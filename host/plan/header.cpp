@@ -105,12 +105,6 @@ std::size_t cells_at_the_horizon(const Grid& grid)
     return cells - above;
 }
 
-std::string storage_text(const Job& job)
-{
-    if (job.format != "exr") return job.format;
-    return fmt::format("exr, {}, {}", job.write.half ? "half" : "float", job.write.compression);
-}
-
 std::string conversion_text(const Job& job)
 {
     const bool printed = std::ranges::any_of(
@@ -120,6 +114,12 @@ std::string conversion_text(const Job& job)
 }
 
 }  // namespace
+
+std::string storage_text(const Job& job)
+{
+    if (job.format != "exr") return job.format;
+    return fmt::format("exr, {}, {}", job.write.half ? "half" : "float", job.write.compression);
+}
 
 std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes)
 {

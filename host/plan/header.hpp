@@ -13,11 +13,18 @@ namespace gonio {
 /// with a dot, and a number where the model is there more than once ("ward_2.").
 std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes);
 
+/// Everything about a job's storage that changes the bytes of its file.
+std::string storage_text(const Job& job);
+
 /// A swept parameter as an axis of a table.
 Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes);
 
 /// The header of a job that has everything else. `swept` are its sweeps that are axes.
 TableHeader make_header(const Job& job, const Quantity& quantity, const std::string& solver,
                         const std::vector<Sweep>& swept);
+
+/// The header of a job with layers, which has a name for its material and the table's axes.
+TableHeader make_light_header(const Job& job, const std::string& material,
+                              const std::vector<Axis>& axes);
 
 }  // namespace gonio

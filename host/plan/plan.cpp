@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t max_points = 65536;  // values of all sweeps combined, over all tables
 constexpr std::size_t max_files = 10000;
+constexpr std::uint64_t default_photons = 1'000'000;  // where a table has no budget
 
 /// Every combination of the sweeps' values, the last sweep fastest; a single empty one if there are
 /// no sweeps.
@@ -66,20 +67,56 @@ public:
     void add(const TableRequest& request)
     {
         const SceneMaterial& material = scene_.materials[request.material];
+        if (const auto* medium = std::get_if<LayeredMedium>(&material.made_of)) {
+            if (!material.sweeps.empty())
+                throw UsageError(fmt::format(
+                    "{}this version has no sweeps of layers; write a material for each value",
+                    material.sweeps.front().where));
+            keep(make_light_job(request, material.name, *medium));
+            return;
+        }
         std::vector<Sweep> axes, files;
         for (const Sweep& sweep : material.sweeps) (sweep.axis ? axes : files).push_back(sweep);
         check_amount(request, product(axes), product(files));
-        for (const auto& point : combinations(files)) {
-            jobs_.push_back(make_job(request, files, point, axes));
-            if (!names_.insert(jobs_.back().name).second)
-                throw UsageError(fmt::format("{}two tables would be written to `{}`", request.where,
-                                             jobs_.back().path.string()));
-        }
+        for (const auto& point : combinations(files)) keep(make_job(request, files, point, axes));
     }
 
     std::vector<Job> jobs() { return std::move(jobs_); }
 
 private:
+    void keep(Job job)
+    {
+        if (!names_.insert(job.name).second)
+            throw UsageError(
+                fmt::format("{}two tables would be written to `{}`", job.where, job.path.string()));
+        jobs_.push_back(std::move(job));
+    }
+
+    Job make_light_job(const TableRequest& request, const std::string& material,
+                       const LayeredMedium& medium) const
+    {
+        Job job;
+        job.name = request.name;
+        job.layers = LightJob{medium,        request.quantity, request.solver,
+                              request.light, request.seed,     request.budget};
+        Budget& budget = job.layers->budget;
+        if (request.solver == "monte_carlo" && !budget.max_error && !budget.seconds &&
+            !budget.photons)
+            budget.photons = default_photons;
+        set_storage(job, request);
+        job.header = make_light_header(job, material, request.axes);
+        located(job.where, [&] { check(job.header); });
+        return job;
+    }
+
+    void set_storage(Job& job, const TableRequest& request) const
+    {
+        job.format = request.storage.format;
+        job.write = request.storage.write;
+        job.path = directory_ / (job.name + extension(job.format));
+        job.where = request.where;
+    }
+
     void check_amount(const TableRequest& request, std::size_t points, std::size_t files)
     {
         if (points > max_points || files > max_points || points * files > max_points - points_)
@@ -109,10 +146,7 @@ private:
             job.materials.push_back({material.name, at_point(lobes, axes, point)});
         job.measure = request.quantity->id == "brdf_cosine" ? Measure::brdf_cosine : Measure::brdf;
         job.grid = *request.grid;
-        job.format = request.storage.format;
-        job.write = request.storage.write;
-        job.path = directory_ / (job.name + extension(job.format));
-        job.where = request.where;
+        set_storage(job, request);
         job.header = make_header(job, *request.quantity, request.solver, axes);
         check_job(job);
         count_horizon(job);

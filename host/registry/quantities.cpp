@@ -39,9 +39,6 @@ const Quantity& find_quantity(std::string_view id, Substance of)
         if (quantity.id == id) return quantity;
         names.push_back(quantity.id);
     }
-    if (names.empty())
-        throw UsageError(
-            "this version computes no table of layers or skin, only of a `model` or of `lobes`");
     throw UsageError(fmt::format("there is no quantity `{}`{}", id, suggestion(id, names)));
 }
 

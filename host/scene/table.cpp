@@ -58,6 +58,10 @@ Budget read_budget(const Section& table)
 /// Refuses what the solver of this quantity cannot use.
 void check_solver(const Section& table, const TableRequest& request)
 {
+    if (request.quantity->of == Substance::layers) return;
+    for (const auto key : {"light", "theta_i", "seed"})
+        if (const auto value = table.find(key))
+            value->fail(fmt::format("`{}` is for tables of layers, not of a surface", key));
     const auto needed = request.quantity->on_grid() ? "grid" : "axes";
     const auto other = request.quantity->on_grid() ? "axes" : "grid";
     if (const auto value = table.find(other))
@@ -105,12 +109,16 @@ TableRequest read_request(const Section& table, std::size_t which,
 
     const Value quantity = table.at("quantity");
     const auto id = quantity.text();
+    if (std::holds_alternative<SkinRequest>(material.made_of))
+        quantity.fail(
+            "this version computes no table of skin, only of a `model`, of `lobes` or of `layers`");
     const bool surface = std::holds_alternative<std::vector<Lobe>>(material.made_of);
     request.quantity = located(quantity.where(), [&] {
         return &find_quantity(id, surface ? Substance::surface : Substance::layers);
     });
     request.solver = read_solver(table, *request.quantity);
     check_solver(table, request);
+    if (!surface) read_light_request(table, request);
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(
             "the format merl holds a rusinkiewicz grid of 90 x 90 x 180 with spacing = \"merl\" "
@@ -142,8 +150,8 @@ std::vector<TableRequest> read_table_requests(const Value& value,
                                               const Storage& storage)
 {
     const Section table(value);
-    table.allow({"material", "name", "quantity", "grid", "axes", "solver", "max_error", "time",
-                 "photons", "format", "precision", "compression"});
+    table.allow({"material", "name", "quantity", "grid", "axes", "light", "theta_i", "seed",
+                 "solver", "max_error", "time", "photons", "format", "precision", "compression"});
     if (const auto material = table.find("material"))
         return {read_request(table, find_material(*material, materials), materials, storage)};
     std::vector<TableRequest> requests;

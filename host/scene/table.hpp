@@ -19,6 +19,10 @@ Grid read_grid(const Value& value);
 /// { name = { from, to, count, samples }, ... } or { name = { values = [...] }, ... }
 std::vector<Axis> read_axes(const Value& value);
 
+/// How layers are lit, and over which bins: the keys `light`, `theta_i`, `seed` and `axes` of a
+/// table of layers. Throws UsageError where the axes are not those of the quantity.
+void read_light_request(const Section& table, TableRequest& request);
+
 /// The keys `format`, `precision` and `compression` of a section, where it has them.
 void read_storage(const Section& section, Storage& storage);
 

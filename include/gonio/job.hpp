@@ -2,7 +2,9 @@
 // A job: one table to compute, with everything that determines its bytes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,13 +15,24 @@
 
 namespace gonio {
 
+/// Light in layers: what a job computes that is not of a surface.
+struct LightJob {
+    LayeredMedium medium;
+    const Quantity* quantity = nullptr;
+    std::string solver;  ///< "adding_doubling" or "monte_carlo"
+    LightSource light = {};
+    std::uint64_t seed = 1;
+    Budget budget = {};
+};
+
 struct Job {
     std::string name;  ///< the stem of its file
     std::vector<Material>
         materials;  ///< one per point of the swept axes, in row-major order; the same lobes in each
     Measure measure = Measure::brdf;
     Grid grid;
-    TableHeader header;  ///< swept axes first, then those of the grid
+    std::optional<LightJob> layers;  ///< in place of materials, measure and grid
+    TableHeader header;              ///< swept axes first, then those of the grid
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;

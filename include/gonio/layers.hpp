@@ -63,6 +63,12 @@ struct LayeredMedium {
     double bottom_albedo = 0;  ///< of the diffuse bottom, in [0, 1]
 };
 
+/// Light of unit flux that comes from above.
+struct LightSource {
+    bool diffuse = false;  ///< Lambertian light, else a beam at r = 0
+    double incidence = 0;  ///< of the beam, towards +x; rad from the normal, in [0, pi / 2)
+};
+
 /// Throws UsageError with the layer (counted from 1), the value and what is allowed, unless light
 /// can travel through the medium: no layers, an index not above 0, a coefficient negative or not
 /// finite, a phase function out of range, a thickness not above 0, an infinite layer that is not

@@ -13,12 +13,6 @@
 
 namespace gonio {
 
-/// Light of unit flux that comes from above.
-struct LightSource {
-    bool diffuse = false;  ///< Lambertian light, else a beam
-    double incidence = 0;  ///< of the beam, towards +x; rad from the normal, in [0, pi / 2)
-};
-
 /// Bins of what is tallied, even and from 0 on. A tally that is not asked for is not computed.
 /// Radii and depths beyond the bins have one more bin for themselves, angles reach to 90 degrees.
 struct PhotonTallies {

@@ -49,7 +49,7 @@ struct SceneMaterial {
 
 /// How exact, how long or how many: what is not set is not limited.
 struct Budget {
-    std::optional<double> max_error;  ///< relative
+    std::optional<double> max_error;  ///< of a table's largest value
     std::optional<double> seconds;
     std::optional<std::uint64_t> photons;
 };
@@ -67,6 +67,8 @@ struct TableRequest {
     std::optional<Grid> grid;  ///< set exactly if quantity->on_grid
     std::vector<Axis> axes;    ///< else the quantity's, from the outermost
     std::string solver;        ///< one of quantity->solvers
+    LightSource light;         ///< of layers
+    std::uint64_t seed = 1;    ///< of the solver monte_carlo
     Budget budget;
     Storage storage;
     Where where;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers and skin: read and checked whole, and refused where a table asks for what is not computed.
+// Layers and skin, and the tables that can be asked of them.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
+#include "gonio/scene.hpp"
 #include "scene/scene_fixtures.hpp"
 
 namespace gonio {
@@ -9,26 +12,55 @@ namespace {
 
 using test::refusal;
 
-TEST(SceneOfLayers, IsReadWholeAndRefusedAtTheQuantity)
+const std::string forearm =
+    "[[material]]\nname = \"forearm\"\n"
+    "layers = [ { mua = 0.2, mus = 100, g = 0.9, n = 1.53, d = 0.02 },\n"
+    "           { mua = 0.7, mus = 200, phase = \"rayleigh\", n = 1.4, d = inf } ]\n"
+    "[[table]]\nmaterial = \"forearm\"\n";
+
+TEST(SceneOfLayers, ReadsWhatTablesAskFor)
 {
-    const auto refused =
-        "this version computes no table of layers or skin, only of a `model` or of "
-        "`lobes`";
-    const std::string table =
-        "[[table]]\nmaterial = \"forearm\"\nquantity = @\"reflectance_r\"\n"
-        "axes = { r = { to = 2.0, count = 200 } }\nmax_error = 1e-3\n"
-        "time = \"5 min\"\nphotons = 1e9\n";
-    const std::string name = "[[material]]\nname = \"forearm\"\n";
-    EXPECT_EQ(refusal(name +
-                      "n_below = 1.4\nbottom = \"open\"\nlayers = [ { mua = 0.2, mus = 1000, "
-                      "g = 0.9, n = 1.53, d = 0.002 }, { mua = 0.7, mus = { from = 100, to = "
-                      "200, count = 3 }, phase = \"rayleigh\", n = 1.4, d = inf } ]\n" +
-                      table),
-              refused);
+    const Scene scene = parse_scene(
+        forearm +
+            "quantity = \"reflectance_r_alpha\"\nlight = \"beam\"\ntheta_i = 90e-1\nseed = 7\n"
+            "axes = { r = { to = 2, count = 200 }, alpha = { to = 90, count = 30 } }\n"
+            "max_error = 1e-3\ntime = \"5 min\"\nphotons = 1e9\n",
+        "scene.toml");
+    const TableRequest& table = scene.tables.front();
+    EXPECT_EQ(table.solver, "monte_carlo");
+    EXPECT_DOUBLE_EQ(table.light.incidence * 180 / std::numbers::pi, 9);
+    EXPECT_EQ(table.seed, 7U);
+    EXPECT_EQ(table.axes[0].unit, "cm");
+    EXPECT_EQ(table.budget.photons, 1'000'000'000U);
     EXPECT_EQ(
-        refusal(name + "skin = \"jacques\"\nparameters = { melanin = { values = [0.1, 0.2] } }\n" +
-                table),
-        refused);
+        parse_scene(forearm + "quantity = \"light_budget\"\nlight = \"diffuse\"\n", "scene.toml")
+            .tables.front()
+            .solver,
+        "adding_doubling");
+}
+
+TEST(SceneOfLayers, RefusesWhatDoesNotFit)
+{
+    EXPECT_EQ(refusal(forearm + "quantity = @\"reflectance\"\n").substr(0, 37),
+              "there is no quantity `reflectance`; d");
+    EXPECT_EQ(refusal(forearm + "quantity = \"reflectance_r\"\naxes = @{ z = { to = 1, count = 5 } "
+                                "}\n"),
+              "the quantity `reflectance_r` needs axes = { r = { to = …, count = … } }");
+    EXPECT_EQ(refusal(forearm + "quantity = \"absorption_z\"\naxes = @{ z = { from = 0.1, to = 1, "
+                                "count = 5 } }\n"),
+              "the bins of `z` must be even, from 0 on");
+    EXPECT_EQ(refusal(forearm + "quantity = \"reflectance_alpha\"\naxes = @{ alpha = { to = 60, "
+                                "count = 5 } }\n"),
+              "the angles of `alpha` must end at 90 deg, not at 60");
+    EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nlight = \"diffuse\"\ntheta_i = "
+                                "@10\n"),
+              "`theta_i` is for a beam, not for diffuse light");
+    EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nphotons = @10\n"),
+              "`photons` is for solver = \"monte_carlo\", not adding_doubling, which has no noise");
+    EXPECT_EQ(refusal("[[material]]\nname = \"s\"\nskin = \"jacques\"\n[[table]]\n"
+                      "material = \"s\"\nquantity = @\"light_budget\"\n"),
+              "this version computes no table of skin, only of a `model`, of `lobes` or of "
+              "`layers`");
 }
 
 TEST(SceneOfLayers, IsCheckedBefore)

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which tallies a quantity needs, and what its bins are divided by.
+#pragma once
+
+#include <vector>
+
+#include "gonio/photons.hpp"
+#include "gonio/quantity.hpp"
+#include "gonio/table.hpp"
+
+namespace gonio {
+
+/// For the axes of a table, even bins from 0 on.
+PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes);
+
+/// The bins of the quantity's tally without those of the overflow, per cm, cm^2, cm^3 and sr as its
+/// unit says, row-major over the axes; for a number the parts of the budget.
+std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quantity,
+                                const PhotonTallies& tallies);
+
+/// What lies beyond the last bins, of all the incident light.
+double overflow(const PhotonResult& result, const PhotonTallies& tallies);
+
+/// Solid angle between two angles to the normal that are k and k + 1 n-ths of 90 degrees, sr.
+double solid_angle(std::size_t k, std::size_t n);
+/// Area between the circles of radius k and k + 1 widths.
+double ring_area(std::size_t k, double width);
+
+}  // namespace gonio
