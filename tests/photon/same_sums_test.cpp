@@ -68,7 +68,7 @@ TEST(PhotonSums, AreTheSameForEveryBatch)
     request.batch = 1000;
     const PhotonResult whole = simulate_photons(mcml_sample(), request, 5500);
     PhotonTracer tracer(Device(), mcml_sample(), request);
-    for (const std::uint64_t count : {3000, 2500}) tracer.trace(count);
+    for (const std::uint64_t count : {3000U, 2500U}) tracer.trace(count);
     EXPECT_EQ(tracer.result().diffuse_reflectance.mean, whole.diffuse_reflectance.mean);
     EXPECT_EQ(tracer.result().photons, 5500U);
     request.batch = 700;
