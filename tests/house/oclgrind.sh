@@ -10,7 +10,8 @@ trap 'rm -rf "$scratch"' EXIT
 # The code as it is written: Oclgrind does not know what LLVM's optimiser puts in (freeze, scopes of
 # restrict).
 run() {
-    oclgrind --build-options -cl-opt-disable --log "$scratch/log" "$@" >"$scratch/out" || { cat "$scratch/out"; return 1; }
+    oclgrind --build-options -cl-opt-disable --log "$scratch/log" "$@" >"$scratch/out" ||
+        { cat "$scratch/out"; return 1; }
     [ ! -s "$scratch/log" ] || { echo "oclgrind $*"; head -n 100 "$scratch/log"; return 1; }
 }
 
