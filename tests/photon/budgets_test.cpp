@@ -71,10 +71,7 @@ TEST(PhotonBudgets, KnowEveryBottomAndSource)
 {
     ZTest test;
     for (const Bottom bottom : {Bottom::open, Bottom::black, Bottom::mirror, Bottom::diffuse}) {
-        LayeredMedium medium = in_air({layer(1.3, 1, 20, 0.7, 0.1), layer(1.5, 0.5, 0, 0, 0.1)});
-        medium.bottom = bottom;
-        medium.bottom_albedo = 0.6;
-        medium.n_below = 1.4;
+        const LayeredMedium medium = layers_over(bottom);
         const std::string name = "bottom " + std::to_string(int(bottom));
         compare_with_exact(test, name, medium, 100'000);
         compare_with_exact(test, name + ", oblique", medium, 100'000, {.incidence = radians(65)});

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reference/adding_doubling.hpp"
+#include "reference/light_budgets.hpp"
 
 namespace gonio::test {
 
@@ -38,14 +39,7 @@ void compare_with_exact(ZTest& test, const std::string& name, const LayeredMediu
         if (measured.error < 1e-12 && std::abs(measured.mean - expected) < 0x1p-30) return;
         test.add(name + ": " + part, estimate(measured), expected, photons);
     };
-    add("specular", result.specular, exact.specular);
-    add("diffuse reflectance", result.diffuse_reflectance, exact.diffuse_reflectance);
-    add("unscattered transmittance", result.unscattered_transmittance,
-        exact.unscattered_transmittance);
-    add("diffuse transmittance", result.diffuse_transmittance, exact.diffuse_transmittance);
-    add("bottom", result.bottom_absorption, exact.bottom_absorption);
-    for (std::size_t i = 0; i < exact.absorption.size(); ++i)
-        add("layer " + std::to_string(i + 1), result.absorption[i], exact.absorption[i]);
+    for_each_part(result, exact, add);
     EXPECT_EQ(result.unfinished.mean, 0) << name;
 }
 

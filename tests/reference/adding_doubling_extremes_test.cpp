@@ -12,21 +12,12 @@
 #include "reference/adding_doubling.hpp"
 #include "reference/chandrasekhar.hpp"
 #include "reference/layered_media.hpp"
+#include "reference/light_budgets.hpp"
 
 namespace gonio::reference {
 namespace {
 
 using namespace gonio::test;
-
-double reflectance(const LightBudget& budget)
-{
-    return budget.specular + budget.diffuse_reflectance;
-}
-
-double transmittance(const LightBudget& budget)
-{
-    return budget.unscattered_transmittance + budget.diffuse_transmittance;
-}
 
 double sum(const LightBudget& budget)
 {

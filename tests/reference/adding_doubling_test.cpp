@@ -16,22 +16,13 @@
 
 #include "reference/csv.hpp"
 #include "reference/layered_media.hpp"
+#include "reference/light_budgets.hpp"
 #include "reference/z_test.hpp"
 
 namespace gonio::reference {
 namespace {
 
 using namespace gonio::test;
-
-double reflectance(const LightBudget& budget)
-{
-    return budget.specular + budget.diffuse_reflectance;
-}
-
-double transmittance(const LightBudget& budget)
-{
-    return budget.unscattered_transmittance + budget.diffuse_transmittance;
-}
 
 LightBudget normal_incidence(const LayeredMedium& medium, int nodes)
 {

@@ -66,4 +66,14 @@ inline LayeredMedium five_layer_skin()
                    layer(1.4, 3.4, 194, 0.82, 0.06)});
 }
 
+/// Scattering over clear matter over a bottom.
+inline LayeredMedium layers_over(Bottom bottom)
+{
+    LayeredMedium medium = in_air({layer(1.3, 1, 20, 0.7, 0.1), layer(1.5, 0.5, 0, 0, 0.1)});
+    medium.bottom = bottom;
+    medium.bottom_albedo = 0.6;
+    medium.n_below = 1.4;
+    return medium;
+}
+
 }  // namespace gonio::test

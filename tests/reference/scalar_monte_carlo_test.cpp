@@ -7,14 +7,13 @@
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "gonio/errors.hpp"
 #include "reference/adding_doubling.hpp"
-#include "reference/gauss_legendre.hpp"
 #include "reference/layered_media.hpp"
+#include "reference/light_budgets.hpp"
 #include "reference/z_test.hpp"
 
 namespace gonio::reference {
@@ -31,18 +30,10 @@ void compare(ZTest& test, const std::string& name, const LayeredMedium& medium,
     ASSERT_LT(solution.error, 1e-3) << name;
     const LightBudget& exact = (request.diffuse ? solution.diffuse : solution.collimated[0]).budget;
     const MonteCarloResult result = simulate(medium, request);
-    const auto add = [&](const std::string& part, const Estimate& measured, double expected) {
-        test.add(name + ": " + part, measured, expected, request.photons);
-    };
-    add("specular", result.specular, exact.specular);
-    add("diffuse reflectance", result.diffuse_reflectance, exact.diffuse_reflectance);
-    add("unscattered transmittance", result.unscattered_transmittance,
-        exact.unscattered_transmittance);
-    add("diffuse transmittance", result.diffuse_transmittance, exact.diffuse_transmittance);
-    add("bottom", result.bottom_absorption, exact.bottom_absorption);
-    for (std::size_t i = 0; i < exact.absorption.size(); ++i) {
-        add("layer " + std::to_string(i + 1), result.absorption[i], exact.absorption[i]);
-    }
+    for_each_part(result, exact,
+                  [&](const std::string& part, const Estimate& measured, double expected) {
+                      test.add(name + ": " + part, measured, expected, request.photons);
+                  });
     EXPECT_EQ(result.unfinished.mean, 0) << name;
 }
 
@@ -106,30 +97,13 @@ TEST(ScalarMonteCarloTest, LeavesAtTheExactAngles)
     MonteCarloRequest request = photons(200'000);
     request.alpha_bins = 18;
     const MonteCarloResult result = simulate(medium, request);
-    // The mean over a bin by three Gauss-Legendre points.
-    const QuadratureRule rule = gauss_legendre(3);
-    const double width = radians(5);
-    LightRequest angles{.incidence = {0}};
-    for (std::size_t i = 0; i < request.alpha_bins; ++i) {
-        for (const double x : rule.nodes) angles.exit_above.push_back((double(i) + x) * width);
-    }
-    angles.exit_below = angles.exit_above;
-    const Illumination exact = solve_layers(medium, angles, 48).collimated[0];
+    const AngularBins exact = exact_angular_bins(medium, request.alpha_bins);
     ZTest test;
     for (std::size_t i = 0; i < request.alpha_bins; ++i) {
-        double reflected = 0, transmitted = 0;
-        for (Eigen::Index k = 0; k < 3; ++k) {
-            const auto at = static_cast<Eigen::Index>(3 * i) + k;
-            const double solid_angle = 2 * std::numbers::pi *
-                                       std::sin(angles.exit_above[std::size_t(at)]) * width *
-                                       rule.weights(k);
-            reflected += exact.reflected(at) * solid_angle;
-            transmitted += exact.transmitted(at) * solid_angle;
-        }
-        test.add("reflected, bin " + std::to_string(i), result.reflected_alpha[i], reflected,
-                 request.photons);
-        test.add("transmitted, bin " + std::to_string(i), result.transmitted_alpha[i], transmitted,
-                 request.photons);
+        test.add("reflected, bin " + std::to_string(i), result.reflected_alpha[i],
+                 exact.reflected[i], request.photons);
+        test.add("transmitted, bin " + std::to_string(i), result.transmitted_alpha[i],
+                 exact.transmitted[i], request.photons);
     }
     test.expect_only_noise();
 }
@@ -182,10 +156,7 @@ TEST(ScalarMonteCarloTest, KnowsEveryBottomAndSource)
 {
     ZTest test;
     for (const Bottom bottom : {Bottom::open, Bottom::black, Bottom::mirror, Bottom::diffuse}) {
-        LayeredMedium medium = in_air({layer(1.3, 1, 20, 0.7, 0.1), layer(1.5, 0.5, 0, 0, 0.1)});
-        medium.bottom = bottom;
-        medium.bottom_albedo = 0.6;
-        medium.n_below = 1.4;
+        const LayeredMedium medium = layers_over(bottom);
         const std::string name = "bottom " + std::to_string(int(bottom));
         MonteCarloRequest request = photons(30'000);
         compare(test, name, medium, request);
