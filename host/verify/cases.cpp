@@ -35,19 +35,6 @@ void set_number(Lobe& lobe, std::size_t index, double number)
                                      lobe.model->parameters[index].greatest)};
 }
 
-/// The defaults and each other option alone.
-std::vector<Lobe> single_variants(const Model& model)
-{
-    std::vector<Lobe> all{default_lobe(model.id)};
-    for (std::size_t k = 0; k < model.parameters.size(); ++k)
-        for (std::size_t option = 0; option < model.parameters[k].options.size(); ++option) {
-            if (all[0].values[k][0] == static_cast<double>(option)) continue;
-            all.push_back(all[0]);
-            all.back().values[k] = {static_cast<double>(option)};
-        }
-    return all;
-}
-
 /// All combinations of the options of a model's choices.
 std::vector<Lobe> all_variants(const Model& model)
 {
@@ -99,6 +86,18 @@ std::vector<double> azimuth_values(Generator& random, std::size_t count)
 }
 
 }  // namespace
+
+std::vector<Lobe> single_variants(const Model& model)
+{
+    std::vector<Lobe> all{default_lobe(model.id)};
+    for (std::size_t k = 0; k < model.parameters.size(); ++k)
+        for (std::size_t option = 0; option < model.parameters[k].options.size(); ++option) {
+            if (all[0].values[k][0] == static_cast<double>(option)) continue;
+            all.push_back(all[0]);
+            all.back().values[k] = {static_cast<double>(option)};
+        }
+    return all;
+}
 
 std::vector<Material> verification_materials(const Model& model, bool quick)
 {

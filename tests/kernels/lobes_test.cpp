@@ -6,22 +6,10 @@
 #include <cmath>
 
 #include "gonio/compute.hpp"
+#include "verify/cases.hpp"
 
 namespace gonio {
 namespace {
-
-/// The model with its defaults and, for each option of each choice, with that one chosen.
-std::vector<Lobe> lobes_of(const Model& model)
-{
-    std::vector<Lobe> lobes{default_lobe(model.id)};
-    for (std::size_t k = 0; k < model.parameters.size(); ++k)
-        for (std::size_t option = 0; option < model.parameters[k].options.size(); ++option) {
-            if (static_cast<double>(option) == model.parameters[k].preset) continue;
-            lobes.push_back(default_lobe(model.id));
-            lobes.back().values[k] = {static_cast<double>(option)};
-        }
-    return lobes;
-}
 
 /// Sums that hold each model at most once and together every option; each lobe with a weight of its
 /// own.
@@ -29,7 +17,7 @@ std::vector<Material> sums()
 {
     std::vector<Material> all;
     for (const Model& model : models()) {
-        const std::vector<Lobe> lobes = lobes_of(model);
+        const std::vector<Lobe> lobes = single_variants(model);
         all.resize(std::max(all.size(), lobes.size()));
         for (std::size_t k = 0; k < lobes.size(); ++k) {
             all[k].lobes.push_back(lobes[k]);
