@@ -35,23 +35,6 @@ void set_number(Lobe& lobe, std::size_t index, double number)
                                      lobe.model->parameters[index].greatest)};
 }
 
-/// All combinations of the options of a model's choices.
-std::vector<Lobe> all_variants(const Model& model)
-{
-    std::vector<Lobe> all{default_lobe(model.id)};
-    for (std::size_t k = 0; k < model.parameters.size(); ++k) {
-        if (model.parameters[k].kind != Kind::choice) continue;
-        std::vector<Lobe> more;
-        for (const Lobe& lobe : all)
-            for (std::size_t option = 0; option < model.parameters[k].options.size(); ++option) {
-                more.push_back(lobe);
-                more.back().values[k] = {static_cast<double>(option)};
-            }
-        all = std::move(more);
-    }
-    return all;
-}
-
 /// Angles of a grid axis, ascending and distinct.
 std::vector<double> sorted(std::vector<double> values)
 {
@@ -96,6 +79,22 @@ std::vector<Lobe> single_variants(const Model& model)
             all.push_back(all[0]);
             all.back().values[k] = {static_cast<double>(option)};
         }
+    return all;
+}
+
+std::vector<Lobe> all_variants(const Model& model)
+{
+    std::vector<Lobe> all{default_lobe(model.id)};
+    for (std::size_t k = 0; k < model.parameters.size(); ++k) {
+        if (model.parameters[k].kind != Kind::choice) continue;
+        std::vector<Lobe> more;
+        for (const Lobe& lobe : all)
+            for (std::size_t option = 0; option < model.parameters[k].options.size(); ++option) {
+                more.push_back(lobe);
+                more.back().values[k] = {static_cast<double>(option)};
+            }
+        all = std::move(more);
+    }
     return all;
 }
 

@@ -13,6 +13,9 @@ namespace gonio {
 /// The model with its defaults and, for each other option of each choice, with that one chosen.
 std::vector<Lobe> single_variants(const Model& model);
 
+/// With the defaults of numbers, every combination of options.
+std::vector<Lobe> all_variants(const Model& model);
+
 /// Every combination of options (quick: every option), each with the defaults, every parameter at
 /// both ends of its range, and random sets.
 std::vector<Material> verification_materials(const Model& model, bool quick);

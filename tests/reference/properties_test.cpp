@@ -11,27 +11,12 @@
 
 #include "gonio/errors.hpp"
 #include "reference/reference_fixtures.hpp"
+#include "verify/cases.hpp"
 
 namespace gonio {
 namespace {
 
 using std::numbers::pi;
-
-/// The model with every combination of its options and default parameters.
-std::vector<Lobe> forms_of(const Model& model)
-{
-    std::vector<Lobe> forms{default_lobe(model.id)};
-    for (const Parameter& parameter : model.parameters) {
-        std::vector<Lobe> extended;
-        for (const Lobe& form : forms)
-            for (const Option& option : parameter.options) {
-                extended.push_back(form);
-                extended.back().set(parameter.name, option.name);
-            }
-        if (!extended.empty()) forms = extended;
-    }
-    return forms;
-}
 
 std::string describe(const Lobe& lobe)
 {
@@ -94,7 +79,7 @@ TEST(ReferencePropertyTest, FiniteAndNotNegativeEverywhere)
     std::mt19937 random(1);
     const std::vector<Geometry> geometries = extreme_geometries();
     for (const Model& model : models())
-        for (const Lobe& form : forms_of(model))
+        for (const Lobe& form : all_variants(model))
             for (int k = 0; k < 12; ++k) {
                 const Lobe lobe = with_any_parameters(form, random);
                 const Brdf f = brdf_of(lobe);
@@ -123,7 +108,7 @@ TEST(ReferencePropertyTest, ReciprocalUnlessTheBlockSaysNot)
 {
     std::mt19937 random(2);
     for (const Model& model : models())
-        for (const Lobe& form : forms_of(model)) {
+        for (const Lobe& form : all_variants(model)) {
             if ((form.traits() & ONE_WAY) != 0) {
                 EXPECT_GT(greatest_asymmetry(form), 0.1) << describe(form);
                 continue;
@@ -156,7 +141,7 @@ double greatest_change_by_rotation(const Lobe& lobe)
 TEST(ReferencePropertyTest, IsotropicWhereTheLobeSaysSo)
 {
     for (const Model& model : models())
-        for (const Lobe& form : forms_of(model)) {
+        for (const Lobe& form : all_variants(model)) {
             ASSERT_TRUE(form.isotropic()) << describe(form);
             EXPECT_LT(greatest_change_by_rotation(form), 1e-11) << describe(form);
             std::vector<std::string_view> splitting;

@@ -12,6 +12,7 @@
 #include "gonio/errors.hpp"
 #include "gonio/grid.hpp"
 #include "gonio/material.hpp"
+#include "verify/cases.hpp"
 
 namespace gonio {
 namespace {
@@ -66,18 +67,6 @@ TEST(ParameterLimits, EveryNumberOfAColourIsLookedAt)
     EXPECT_THROW(phong.set("exponent", std::vector{1.0, 2.0}), UsageError);
 }
 
-/// The model with every option of every choice, one at a time.
-std::vector<Lobe> forms_of(const Model& model)
-{
-    std::vector<Lobe> forms{default_lobe(model.id)};
-    for (const Parameter& parameter : model.parameters)
-        for (const Option& option : parameter.options) {
-            forms.push_back(default_lobe(model.id));
-            forms.back().set(parameter.name, option.name);
-        }
-    return forms;
-}
-
 /// Every combination of both ends of all parameters.
 std::vector<Lobe> at_ends(const Lobe& form)
 {
@@ -113,7 +102,7 @@ TEST(ParameterLimits, NoCornerOfTheParametersGivesNaN)
 {
     const auto pairs = corners();
     for (const Model& model : models())
-        for (const Lobe& form : forms_of(model))
+        for (const Lobe& form : single_variants(model))
             for (const Lobe& lobe : at_ends(form)) {
                 const Reference f = make_reference({"", {lobe}}, Measure::brdf);
                 for (const DirectionPair& pair : pairs) {
