@@ -28,10 +28,11 @@ std::string models_text(const Job& job)
 
 void print(const Job& job, const MadeTable& made, std::size_t width)
 {
-    fmt::print("{:<{}} {:>11} {:>8.2f} {:>8.2f} {:>9.1e}{} {}\n", models_text(job), width,
-               made.cells, static_cast<double>(made.cells) / made.kernel_seconds * 1e-9,
-               made.store_fraction, made.accuracy.relative, made.accuracy.complete ? ' ' : '*',
-               job.path.string());
+    const std::size_t evaluated = made.integrals ? made.integrals->evaluated : made.cells;
+    const std::string store = made.integrals ? "" : fmt::format("{:.2f}", made.store_fraction);
+    fmt::print("{:<{}} {:>11} {:>8.2f} {:>8} {:>9.1e}{} {}\n", models_text(job), width, made.cells,
+               static_cast<double>(evaluated) / made.kernel_seconds * 1e-9, store,
+               made.accuracy.relative, made.accuracy.complete ? ' ' : '*', job.path.string());
 }
 
 /// Makes the table of layers with a line of progress; returns the line of the summary.

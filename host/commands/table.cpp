@@ -76,6 +76,9 @@ void make(const TableOptions& options, const std::vector<std::string>& words)
     TableRequest request;
     request.name = path.stem().string();
     request.quantity = &find_quantity(options.quantity, Substance::surface);
+    if (!request.quantity->on_grid())
+        throw UsageError(fmt::format(
+            "the quantity `{}` has axes and no grid: ask for it in a scene", options.quantity));
     request.grid = grid_of(options);
     request.solver = request.quantity->solvers.front();
     request.storage = {format_of(path), {options.half, options.compression}};

@@ -6,6 +6,7 @@
 
 #include "gonio/errors.hpp"
 #include "opencl/store_rate.hpp"
+#include "quadrature/make_integrals.hpp"
 
 namespace gonio {
 namespace {
@@ -27,6 +28,7 @@ void require_accuracy(const Device& device, const Job& job, const Accuracy& accu
 MadeTable make_table(const Device& device, const Job& job,
                      const std::function<void(std::size_t)>& after_rows)
 {
+    if (!job.cells.empty()) return make_integrals(device, job, after_rows);
     MadeTable made;
     const std::unique_ptr<TableWriter> writer =
         make_writer(job.path, job.format, job.header, job.write);
@@ -57,6 +59,17 @@ MadeTable make_table(const Device& device, const Job& job,
 nlohmann::ordered_json run_information(const Device& device, const MadeTable& made)
 {
     const DeviceInfo& info = device.info();
+    if (made.integrals)
+        return {{"device", info.name},
+                {"platform", info.platform_name},
+                {"driver", info.driver},
+                {"width", made.report.width},
+                {"cells", made.cells},
+                {"order", made.integrals->order},
+                {"evaluations", made.integrals->evaluated},
+                {"kernel_seconds", made.kernel_seconds},
+                {"largest_error", made.accuracy.relative},
+                {"cells_checked", made.integrals->checked}};
     return {{"device", info.name},
             {"platform", info.platform_name},
             {"driver", info.driver},

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "gonio/compute.hpp"
 #include "gonio/job.hpp"
@@ -11,9 +12,17 @@
 
 namespace gonio {
 
+/// What integrals took: the highest order of a rule, evaluations of the BRDF, and how many cells
+/// were compared with the reference.
+struct IntegralReport {
+    int order = 0;
+    std::size_t evaluated = 0, checked = 0;
+};
+
 /// What happened to one job, for summaries.
 struct MadeTable {
-    std::size_t cells = 0;  ///< cells times sweep points
+    std::size_t cells = 0;                    ///< cells times sweep points
+    std::optional<IntegralReport> integrals;  ///< then accuracy.relative is their largest error
     double kernel_seconds = 0;
     double store_fraction = 0;  ///< of the rate at which the device writes the same number of bytes
     ComputeReport report;       ///< of the last sweep point

@@ -10,9 +10,9 @@ namespace gonio {
 namespace {
 
 /// The program's first lines: core/material.cl says what they define.
-std::string preamble(const Material& material, const TableProgram& program)
+std::string preamble(const Material& material, const std::string& directions_file)
 {
-    std::string includes = fmt::format("#include \"{}\"\n", program.grid_file);
+    std::string includes = fmt::format("#include \"{}\"\n", directions_file);
     std::string lobes, choices;
     for (std::size_t k = 0; k < material.lobes.size(); ++k) {
         const Lobe& lobe = material.lobes[k];
@@ -37,9 +37,18 @@ cl::Kernel table_kernel(Device::State& device, const Material& material,
         fmt::format("ISOTROPIC={}", material.isotropic() ? 1 : 0),
         fmt::format("MIRROR={}", program.mirrored ? 1 : 0),
         fmt::format("RECIPROCAL={}", program.reciprocal ? 1 : 0)};
-    return {
-        build_program(device, preamble(material, program), "table.cl", definitions, program.width),
-        "table"};
+    return {build_program(device, preamble(material, program.grid_file), "table.cl", definitions,
+                          program.width),
+            "table"};
+}
+
+cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool isotropic)
+{
+    const std::vector<std::string> definitions{fmt::format("CHANNELS={}", material.channels()),
+                                               fmt::format("ISOTROPIC={}", isotropic ? 1 : 0)};
+    return {build_program(device, preamble(material, "directions/quadrature.cl"), "albedo.cl",
+                          definitions, device.width),
+            "albedo"};
 }
 
 std::vector<float> parameter_values(const Material& material)

@@ -23,6 +23,9 @@ struct TableProgram {
 cl::Kernel table_kernel(Device::State& device, const Material& material,
                         const TableProgram& program);
 
+/// Builds kernel `albedo`, for BRDFs, likewise; isotropic if all materials are that it is used for.
+cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool isotropic);
+
 /// Parameters and weight of each lobe, in the order in which core/material.cl reads them.
 std::vector<float> parameter_values(const Material& material);
 

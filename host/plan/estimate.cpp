@@ -18,8 +18,9 @@
 namespace gonio {
 namespace {
 
-constexpr std::uint64_t csv_number = 12;      // characters that a number takes, about
-constexpr std::uint64_t merl_value = 8;       // double
+constexpr std::uint64_t csv_number = 12;  // characters that a number takes, about
+constexpr std::uint64_t merl_value = 8;   // double
+constexpr double evaluations_of_an_integral = 1000;
 constexpr std::uint64_t tiles_in_memory = 2;  // one is computed while one is written
 
 std::uint64_t file_bytes(const Job& job, std::uint64_t values)
@@ -77,6 +78,7 @@ Estimate estimate(const Job& job, double values_per_second)
     // What a photon takes is known when some have been followed.
     cost.seconds = job.layers ? std::numeric_limits<double>::quiet_NaN()
                               : static_cast<double>(cost.values) / values_per_second;
+    if (!job.cells.empty()) cost.seconds *= evaluations_of_an_integral;
     return cost;
 }
 

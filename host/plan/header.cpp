@@ -8,6 +8,8 @@
 #include <set>
 
 #include "output/table_json.hpp"
+#include "plan/integral_axes.hpp"
+#include "quadrature/derived.hpp"
 #include "version.hpp"
 
 namespace gonio {
@@ -144,25 +146,37 @@ Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes)
     return {lobe_prefixes(lobes)[sweep.part] + sweep.parameter, unit, sweep.values, Samples::node};
 }
 
-TableHeader make_header(const Job& job, const Quantity& quantity, const std::string& solver,
+TableHeader make_header(const Job& job, const TableRequest& request,
                         const std::vector<Sweep>& swept)
 {
+    const Quantity& quantity = *request.quantity;
     const Material& material = job.materials.front();
     TableHeader header;
     header.quantity = quantity.id;
     header.unit = quantity.unit;
     for (const Sweep& sweep : swept) header.axes.push_back(sweep_axis(sweep, material.lobes));
     header.sweep_axes = swept.size();
-    header.axes.insert(header.axes.end(), job.grid.axes.begin(), job.grid.axes.end());
-    header.channels = material.channel_names();
+    const std::vector<Axis>& own = quantity.on_grid() ? job.grid.axes : request.axes;
+    header.axes.insert(header.axes.end(), own.begin(), own.end());
+    // The innermost axis is never a swept one.
+    if (own.empty() && !swept.empty()) --header.sweep_axes;
+    header.channels =
+        quantity.on_grid() ? material.channel_names() : derived_channels(header.quantity, material);
 
     Attributes attributes;
     attributes.add("program", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT));
     attributes.add("title", std::string(quantity.title));
-    attributes.add("solver", solver);
+    attributes.add("solver", request.solver);
     attributes.add("storage", storage_text(job));
-    attributes.add("grid", grid_name(job.grid.kind));
-    attributes.add("directions", directions_text(job.grid.kind));
+    if (quantity.on_grid()) {
+        attributes.add("grid", grid_name(job.grid.kind));
+        attributes.add("directions", directions_text(job.grid.kind));
+    } else {
+        attributes.add("max_error", job.max_error);
+        attributes.add("directions",
+                       std::string("normal +z, tangent +x; mu is the cosine between a "
+                                   "direction and the normal"));
+    }
     if (const auto cells = cells_at_the_horizon(job.grid); cells != 0) {
         attributes.add("horizon", std::string("cells with a direction at 90 deg hold the limit "
                                               "there, or 0 where it is infinite"));
@@ -171,9 +185,13 @@ TableHeader make_header(const Job& job, const Quantity& quantity, const std::str
     if (const auto text = conversion_text(job); !text.empty()) attributes.add("conversion", text);
     attributes.add("material", material.name);
     const auto prefixes = lobe_prefixes(material.lobes);
+    std::vector<Sweep> varied = swept;
+    for (const Axis& axis : request.axes)
+        if (const auto parameter = parameter_of(material.lobes, axis.name))
+            varied.push_back(*parameter);
     for (std::size_t k = 0; k < material.lobes.size(); ++k) {
         std::set<std::string> names;
-        for (const Sweep& sweep : swept)
+        for (const Sweep& sweep : varied)
             if (sweep.part == k)
                 for (const auto& name : parameters_of(*material.lobes[k].model, sweep.parameter))
                     names.insert(name);

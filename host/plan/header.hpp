@@ -20,7 +20,7 @@ std::string storage_text(const Job& job);
 Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes);
 
 /// The header of a job that has everything else. `swept` are its sweeps that are axes.
-TableHeader make_header(const Job& job, const Quantity& quantity, const std::string& solver,
+TableHeader make_header(const Job& job, const TableRequest& request,
                         const std::vector<Sweep>& swept);
 
 /// The header of a job with layers, which has a name for its material and the table's axes.

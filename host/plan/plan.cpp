@@ -10,6 +10,8 @@
 #include "gonio/job.hpp"
 #include "output/check.hpp"
 #include "plan/header.hpp"
+#include "plan/integral_axes.hpp"
+#include "quadrature/derived.hpp"
 #include "scene/located.hpp"
 
 namespace gonio {
@@ -142,15 +144,31 @@ private:
         for (std::size_t k = 0; k < files.size(); ++k)
             job.name +=
                 fmt::format("-{}{}={}", prefixes[files[k].part], files[k].parameter, file_point[k]);
+        set_storage(job, request);
+        if (request.quantity->on_grid())
+            fill_grid(job, request, lobes, axes);
+        else
+            fill_integral(job, request, lobes, axes);
+        for (Material& point : job.materials) point.name = material.name;
+        job.header = make_header(job, request, axes);
+        located(job.where, [&] { check(job.header); });
+        if (request.quantity->on_grid()) {
+            check_frame(job);
+            count_horizon(job);
+        } else {
+            for (const Material& point : job.materials)
+                located(job.where, [&] { check_derived(job.header.quantity, point); });
+        }
+        return job;
+    }
+
+    static void fill_grid(Job& job, const TableRequest& request, const std::vector<Lobe>& lobes,
+                          const std::vector<Sweep>& axes)
+    {
         for (const auto& point : combinations(axes))
-            job.materials.push_back({material.name, at_point(lobes, axes, point)});
+            job.materials.push_back({"", at_point(lobes, axes, point)});
         job.measure = request.quantity->id == "brdf_cosine" ? Measure::brdf_cosine : Measure::brdf;
         job.grid = *request.grid;
-        set_storage(job, request);
-        job.header = make_header(job, *request.quantity, request.solver, axes);
-        check_job(job);
-        count_horizon(job);
-        return job;
     }
 
     /// Says in the header how many samples at exactly 90 degrees hold 0 because the model has no
@@ -165,7 +183,7 @@ private:
         job.header.attributes.emplace_back("horizon.without_limit", static_cast<double>(poles));
     }
 
-    static void check_job(const Job& job)
+    static void check_frame(const Job& job)
     {
         for (const Material& material : job.materials)
             if (job.grid.kind != GridKind::anisotropic && !material.isotropic())
@@ -173,7 +191,6 @@ private:
                     "{}material `{}` is anisotropic, and this grid has no tangent to tell its "
                     "directions apart; use kind = \"anisotropic\"",
                     job.where, material.name));
-        located(job.where, [&] { check(job.header); });
     }
 
     const Scene& scene_;

@@ -2,6 +2,7 @@
 // Reads the grid of a table, and the axes of one that has no grid.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -77,6 +78,19 @@ Grid read_rusinkiewicz(const Section& grid)
     });
 }
 
+/// Squares of evenly spaced numbers: even in the root.
+Axis square_axis(const std::string& name, double from, double to, std::size_t count,
+                 Samples samples)
+{
+    Axis axis = make_axis(name, std::sqrt(from), std::sqrt(to), count, samples);
+    for (double& value : axis.values) value *= value;
+    if (samples == Samples::node) {
+        axis.values.front() = from;
+        axis.values.back() = to;
+    }
+    return axis;
+}
+
 }  // namespace
 
 Grid read_grid(const Value& value)
@@ -99,14 +113,20 @@ std::vector<Axis> read_axes(const Value& value)
             axes.push_back({entry.name(), "", read_sweep(entry, 0).values, Samples::node});
             continue;
         }
-        axis.allow({"from", "to", "count", "samples"});
+        axis.allow({"from", "to", "count", "samples", "spacing"});
+        const auto spacing = axis.find("spacing");
+        const bool square = spacing && spacing->choice({"linear", "square"}) == 1;
         const double from = axis.find("from") ? axis.at("from").number() : 0;
         const double to = axis.at("to").number();
         if (from == to) axis.fail(fmt::format("an axis from {} to {}", from, to));
         const auto count = static_cast<std::size_t>(axis.at("count").count(1, max_samples));
         const auto samples = read_samples(axis);
-        axes.push_back(located(axis.where(),
-                               [&] { return make_axis(entry.name(), from, to, count, samples); }));
+        if (square && !(std::min(from, to) >= 0))
+            axis.fail("spacing = \"square\" is for numbers from 0 on");
+        axes.push_back(located(axis.where(), [&] {
+            return square ? square_axis(entry.name(), from, to, count, samples)
+                          : make_axis(entry.name(), from, to, count, samples);
+        }));
     }
     return axes;
 }

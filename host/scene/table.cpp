@@ -67,7 +67,12 @@ void check_solver(const Section& table, const TableRequest& request)
     if (const auto value = table.find(other))
         value->fail(fmt::format("the quantity `{}` has no `{}`, it needs a `{}`",
                                 request.quantity->id, other, needed));
-    table.at(needed);
+    if (request.quantity->on_grid() || !request.quantity->axes.empty()) table.at(needed);
+    if (request.solver == "quadrature")
+        for (const auto key : {"time", "photons"})
+            if (const auto value = table.find(key))
+                value->fail(
+                    fmt::format("an integral has no `{}`: `max_error` sets how exact it is", key));
     if (request.solver != "closed_form") return;
     for (const auto key : {"max_error", "time", "photons"})
         if (const auto value = table.find(key))
@@ -119,6 +124,7 @@ TableRequest read_request(const Section& table, std::size_t which,
     request.solver = read_solver(table, *request.quantity);
     check_solver(table, request);
     if (!surface) read_light_request(table, request);
+    if (request.solver == "quadrature") check_integral_axes(table, material, request);
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(
             "the format merl holds a rusinkiewicz grid of 90 x 90 x 180 with spacing = \"merl\" "

@@ -16,12 +16,18 @@ std::vector<TableRequest> read_table_requests(const Value& value,
 /// { kind, counts, samples, spacing, delta_phi_to }
 Grid read_grid(const Value& value);
 
-/// { name = { from, to, count, samples }, ... } or { name = { values = [...] }, ... }
+/// { name = { from, to, count, samples, spacing = "linear" | "square" }, ... } or { name = { values
+/// = [...] }, ... }
 std::vector<Axis> read_axes(const Value& value);
 
 /// How layers are lit, and over which bins: the keys `light`, `theta_i`, `seed` and `axes` of a
 /// table of layers. Throws UsageError where the axes are not those of the quantity.
 void read_light_request(const Section& table, TableRequest& request);
+
+/// Are these the axes of an integral over the hemisphere: the quantity's directions, and numbers of
+/// the material? Throws UsageError at the one that is not. Directions get their unit.
+void check_integral_axes(const Section& table, const SceneMaterial& material,
+                         TableRequest& request);
 
 /// The keys `format`, `precision` and `compression` of a section, where it has them.
 void read_storage(const Section& section, Storage& storage);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "gonio/albedo.hpp"
 #include "gonio/grid.hpp"
 #include "gonio/material.hpp"
 #include "gonio/scene.hpp"
@@ -25,6 +26,14 @@ struct LightJob {
     Budget budget = {};
 };
 
+/// A cell of a table of integrals over the hemisphere: of which of the job's materials, and where.
+/// other_cosine: of the viewer, where a quantity has both directions.
+struct IntegralCell {
+    std::size_t material = 0;
+    Incidence at;
+    double other_cosine = 1;
+};
+
 struct Job {
     std::string name;  ///< the stem of its file
     std::vector<Material>
@@ -32,7 +41,10 @@ struct Job {
     Measure measure = Measure::brdf;
     Grid grid;
     std::optional<LightJob> layers;  ///< in place of materials, measure and grid
-    TableHeader header;              ///< swept axes first, then those of the grid
+    std::vector<IntegralCell> cells;  ///< in place of the grid, in the order of the table
+    double max_error = 1e-6;          ///< of an integral
+    bool must_reach = false;          ///< it is an error if max_error is not reached
+    TableHeader header;               ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;

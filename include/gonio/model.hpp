@@ -17,6 +17,8 @@ enum Traits : unsigned {
     EXPONENTIAL = 2,  ///< accuracy class of exponential and power lobes; algebraic without it
     VALUE = 4,        ///< prints a value that contains cos theta_i, not a BRDF in 1/sr
     CANCELS = 8,      ///< a fit whose terms cancel: accurate but for float32 directions' rounding
+    MIRRORED = 16,    ///< a lobe about the mirror direction, not about the normal as half vector
+    KINKED = 32,      ///< facets' masking, or cosines, change hands: quadrature splits there
 };
 
 struct Option {

@@ -25,6 +25,19 @@ static inline real exp_of_negative(real q)
     return choose(less(q, (real)(R(87.0))), result, (real)(R(0.0)));
 }
 
+/// sinh(x) for 0 <= x <= 87. Error below 2 ulp up to 16.
+static inline real hyperbolic_sine(real x)
+{
+    const real z = x * x;
+    real p = (real)(R(2.7557319e-6));
+    p = fma(p, z, (real)(R(1.98412698e-4)));
+    p = fma(p, z, (real)(R(8.33333333e-3)));
+    p = fma(p, z, (real)(R(0.166666667)));
+    const real grown = exp_of_negative(-x);
+    const real far = R(0.5) * grown - R(0.5) / grown;
+    return choose(less(x, (real)(R(1.0))), fma(x * z, p, x), far);
+}
+
 /// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or x is what the rounding
 /// of base took away. Relatively accurate also where the sum is near 1. Error below 2 ulp.
 static inline real log_of_sum(real base, real x)
