@@ -37,18 +37,17 @@ void print(const Job& job, const MadeTable& made, std::size_t width)
 
 /// Makes the table of layers with a line of progress; returns the line of the summary.
 std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device, const Job& job,
-                                                           bool best_effort, Progress& progress)
+                                                           Progress& progress)
 {
     const double cells = static_cast<double>(job.header.cells());
     double told = 0;
-    const LightTable made =
-        make_light_table(device, job, best_effort, [&](const LightProgress& now) {
-            progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
-                                       now.photons_per_second, now.error));
-            progress.advance(cells * std::max(0.0, now.fraction - told));
-            told = std::max(told, now.fraction);
-            throw_if_interrupted();
-        });
+    const LightTable made = make_light_table(device, job, [&](const LightProgress& now) {
+        progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
+                                   now.photons_per_second, now.error));
+        progress.advance(cells * std::max(0.0, now.fraction - told));
+        told = std::max(told, now.fraction);
+        throw_if_interrupted();
+    });
     progress.advance(cells * (1 - told));
     const auto how = made.photons == 0 ? std::string("without noise")
                                        : fmt::format("{} photons, {:.3g} photons/s", made.photons,
@@ -60,7 +59,7 @@ std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device,
 
 }  // namespace
 
-void run_jobs(const Device& device, const std::vector<Job>& jobs, bool best_effort)
+void run_jobs(const Device& device, const std::vector<Job>& jobs)
 {
     catch_interrupts();
     fmt::print("on {} ({}, driver {}, width {})\n", device.info().name, device.info().platform_name,
@@ -69,7 +68,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool best_effo
     std::string of_layers;
     const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
         if (job.layers) {
-            const auto [line, run] = make_layers(device, job, best_effort, progress);
+            const auto [line, run] = make_layers(device, job, progress);
             of_layers += line;
             return run;
         }

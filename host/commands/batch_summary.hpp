@@ -11,7 +11,7 @@ namespace gonio {
 
 /// Makes what is not finished and prints a line for each table. Throws as run_batch and make_table
 /// do.
-void run_jobs(const Device& device, const std::vector<Job>& jobs, bool best_effort = false);
+void run_jobs(const Device& device, const std::vector<Job>& jobs);
 
 /// What --dry-run prints: size, memory and time of each job on this device.
 void print_estimate(const Device& device, const std::vector<Job>& jobs);

@@ -20,10 +20,12 @@ void run(const RunOptions& options)
 {
     const Scene scene = load_scene(options.scene);
     for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
-    const std::vector<Job> jobs = plan_jobs(scene, options.output);
+    std::vector<Job> jobs = plan_jobs(scene, options.output);
     const Device device = options.device.open();
     if (options.dry_run) return print_estimate(device, jobs);
-    run_jobs(device, jobs, options.best_effort);
+    if (options.best_effort)
+        for (Job& job : jobs) job.must_reach = false;
+    run_jobs(device, jobs);
     if (options.sheet.empty()) return;
     std::vector<ContactCard> cards;
     for (const SceneMaterial& material : scene.materials)
@@ -47,7 +49,7 @@ void add_run(CLI::App& app)
                      "PNG with a sphere and a lobe for every material of the scene");
     verb->add_flag("--dry-run", options->dry_run, "Only say size, memory and time");
     verb->add_flag("--best-effort", options->best_effort,
-                   "Keep tables whose max_error was not reached in their time or photons");
+                   "Keep tables that did not reach their max_error");
     options->device.add_to(*verb);
     verb->callback([options] { run(*options); });
 }

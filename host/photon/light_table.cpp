@@ -78,7 +78,7 @@ public:
     {
     }
 
-    LightTable run(const Device& device, bool best_effort,
+    LightTable run(const Device& device,
                    const std::function<void(const LightProgress&)>& after_launch)
     {
         do {
@@ -89,7 +89,7 @@ public:
             values_ = densities(tracer_.result(), *light_.quantity, tallies_);
             error_ = largest_error(values_);
         } while (done_ < most_ && !is_exact_enough() && seconds() < time());
-        if (!is_exact_enough() && light_.budget.max_error && !best_effort)
+        if (job_.must_reach && !is_exact_enough())
             throw RunError(fmt::format(
                 "after {} photons and {:.1f} s the largest standard error of table `{}` is {:.2g} "
                 "of its largest value, and not {:.2g}; give it more, or --best-effort",
@@ -161,12 +161,11 @@ private:
 
 }  // namespace
 
-LightTable make_light_table(const Device& device, const Job& job, bool best_effort,
+LightTable make_light_table(const Device& device, const Job& job,
                             const std::function<void(const LightProgress&)>& after_launch)
 {
     if (job.layers->solver == "adding_doubling") return solve(job);
-    return located(job.where,
-                   [&] { return Simulation(device, job).run(device, best_effort, after_launch); });
+    return located(job.where, [&] { return Simulation(device, job).run(device, after_launch); });
 }
 
 }  // namespace gonio

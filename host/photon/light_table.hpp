@@ -27,8 +27,8 @@ struct LightTable {
 };
 
 /// Writes the table to job.path; nothing is visible there unless it is complete. after_launch may
-/// throw. Throws RunError where the time ended before max_error was reached, unless best_effort.
-LightTable make_light_table(const Device& device, const Job& job, bool best_effort,
+/// throw. Throws RunError where the budget ended before a max_error that must be reached.
+LightTable make_light_table(const Device& device, const Job& job,
                             const std::function<void(const LightProgress&)>& after_launch);
 
 }  // namespace gonio

@@ -105,6 +105,7 @@ private:
         if (request.solver == "monte_carlo" && !budget.max_error && !budget.seconds &&
             !budget.photons)
             budget.photons = default_photons;
+        job.must_reach = budget.max_error.has_value();
         set_storage(job, request);
         job.header = make_light_header(job, material, request.axes);
         located(job.where, [&] { check(job.header); });

@@ -40,10 +40,10 @@ struct Job {
         materials;  ///< one per point of the swept axes, in row-major order; the same lobes in each
     Measure measure = Measure::brdf;
     Grid grid;
-    std::optional<LightJob> layers;  ///< in place of materials, measure and grid
+    std::optional<LightJob> layers;   ///< in place of materials, measure and grid
     std::vector<IntegralCell> cells;  ///< in place of the grid, in the order of the table
     double max_error = 1e-6;          ///< of an integral
-    bool must_reach = false;          ///< it is an error if max_error is not reached
+    bool must_reach = false;          ///< it is an error if the max_error asked for is not reached
     TableHeader header;               ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;
     std::string format = "exr";
