@@ -38,15 +38,9 @@ static inline real hyperbolic_sine(real x)
     return choose(less(x, (real)(R(1.0))), fma(x * z, p, x), far);
 }
 
-/// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or x is what the rounding
-/// of base took away. Relatively accurate also where the sum is near 1. Error below 2 ulp.
-static inline real log_of_sum(real base, real x)
+/// log(1 + f) + n ln 2, with 1 + f in [sqrt 1/2, sqrt 2) and n times 2^23. Error below 2 ulp.
+static inline real log_of_parts(mask_t n_in_place, real f)
 {
-    // base + x = 2^n (1 + f) with 1 + f in [sqrt 1/2, sqrt 2): the offset makes the exponent field
-    // round at sqrt 2. f is made from x itself, so that what the sum rounds away is not lost.
-    const mask_t n_in_place = (bits_of(base + x) - 0x3f3504f3) & (mask_t)(0xff800000);
-    const real scale = as_real(0x3f800000 - n_in_place);
-    const real f = fma(x, scale, fma(base, scale, (real)(R(-1.0))));
     // log(1 + f) = 2 artanh s = f - s (f - z P(z)) with s = f / (2 + f), z = s^2: few constants, so
     // that they stay in registers.
     const real s = f / (R(2.0) + f);
@@ -55,14 +49,40 @@ static inline real log_of_sum(real base, real x)
     p = fma(p, z, (real)(R(0.39988780566)));
     p = fma(p, z, (real)(R(0.666666850396)));
     const real log_of_fraction = fma(-s, fma(-z, p, f), f);
-    // n ln 2, n still times 2^23
     return fma(real_of(n_in_place), (real)(R(8.26295829e-8)), log_of_fraction);
+}
+
+/// n times 2^23 of x = 2^n (1 + f): the offset makes the exponent field round at sqrt 2.
+static inline mask_t binary_exponent(real x)
+{
+    return (bits_of(x) - 0x3f3504f3) & (mask_t)(0xff800000);
+}
+
+/// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or x is what the rounding
+/// of base took away. Relatively accurate also where the sum is near 1.
+static inline real log_of_sum(real base, real x)
+{
+    const mask_t n = binary_exponent(base + x);
+    const real scale = as_real(0x3f800000 - n);
+    // f is made from x itself, so that what the sum rounds away is not lost.
+    return log_of_parts(n, fma(x, scale, fma(base, scale, (real)(R(-1.0)))));
+}
+
+/// log(x) for normal x in (0, 1], of which both x and 1 - x are known: relatively accurate near 1.
+/// Error below 2.5 ulp, with x as rounded.
+static inline real log_of_cosine(real x, real one_minus_x)
+{
+    const mask_t n = binary_exponent(x);
+    const real f = fma(x, as_real(0x3f800000 - n), (real)(R(-1.0)));
+    // Up to 1/4, n is 0.
+    return log_of_parts(n, choose(less(one_minus_x, (real)(R(0.25))), -one_minus_x, f));
 }
 
 /// log(x) for normal x in (0, 1e38].
 static inline real log_of_positive(real x)
 {
-    return log_of_sum((real)(R(0.0)), x);
+    const mask_t n = binary_exponent(x);
+    return log_of_parts(n, fma(x, as_real(0x3f800000 - n), (real)(R(-1.0))));
 }
 
 /// log(1 + x) for x > -1.

@@ -5,14 +5,10 @@
 #include "core/math.cl"
 #include "directions/directions.cl"
 
-/// (r.v)^n for n >= 0; 0 where r.v <= 0. The logarithm is taken from whichever form of r.v is exact
-/// there.
+/// (r.v)^n for n >= 0; 0 where r.v <= 0.
 static inline real power_of_cos_r(const directions* d, float n)
 {
-    const mask_t near_mirror = less(d->mirror, (real)(R(0.5)));
-    const real log_of_cos_r = log_of_sum(choose(near_mirror, (real)(R(1.0)), (real)(R(0.0))),
-                                         choose(near_mirror, -d->mirror, d->cos_r));
-    const real power = exp_of_negative(-n * log_of_cos_r);
+    const real power = exp_of_negative(-n * log_of_cosine(d->cos_r, d->mirror));
     return choose(less((real)(R(0.0)), d->cos_r), power, (real)(R(0.0)));
 }
 

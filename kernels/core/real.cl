@@ -139,6 +139,13 @@ static inline two_floats two_floats_minus(two_floats a, two_floats b)
     return two_floats_plus(a, negative);
 }
 
+/// a - b c, to about an ulp: where the difference cancels, the fused one of the high parts is exact
+/// but for its own rounding.
+static inline real two_floats_less_product(two_floats a, two_floats b, two_floats c)
+{
+    return fma(-b.hi, c.hi, a.hi) + fma(-b.hi, c.lo, fma(-b.lo, c.hi, a.lo));
+}
+
 /// a + b, to about an ulp. Where the sum cancels, a.hi + b.hi is exact (Sterbenz 1974) and the low
 /// parts give the digits; where it does not, the low parts do not matter.
 static inline real two_floats_sum(two_floats a, two_floats b)

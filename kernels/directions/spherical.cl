@@ -62,7 +62,7 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     d.mirror = R(2.0) * (ROW_FIELD(sin2_half_difference) + sin_sin.hi * cos2_half);
     d.cos_cos = cos_cos;
     d.tangent = two_floats_product(sin_sin, cos_delta);
-    d.cos_r = two_floats_difference(d.cos_cos, d.tangent);
+    d.cos_r = two_floats_less_product(cos_cos, sin_sin, cos_delta);
     d.cos_phi = cos_delta.hi;
     d.out_of_plane = R(2.0) * min(cos2_half, sin2_half);
 #if !ISOTROPIC

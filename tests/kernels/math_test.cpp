@@ -45,6 +45,10 @@ double log_of_one_plus(double x, double)
 {
     return std::log1p(x);
 }
+double log_of_one_minus(double x, double)
+{
+    return std::log1p(-x);
+}
 double angle_of(double x, double y)
 {
     return std::atan2(x, y);
@@ -71,6 +75,8 @@ const Case cases[] = {
     {"LogNearOne", "log_of_positive(x)", log_of_positive, 0.5F, 2.0F, nothing, 1},
     {"LogOfOnePlus", "log_of_one_plus(x)", log_of_one_plus, 1e-30F, 1e30F, nothing, 2},
     {"LogOfOneMinus", "log_of_one_plus(x)", log_of_one_plus, -1e-30F, -0.9999999F, nothing, 1},
+    {"LogOfCosine", "log_of_cosine(R(1.0) - x, x)", log_of_one_minus, 1e-30F, 0.9999999F, nothing,
+     2.5},
     {"SinhUpTo16", "hyperbolic_sine(x)", hyperbolic_sine, 1e-9F, 16.0F, nothing, 2},
     {"ScaledErfc", "scaled_erfc(x)", scaled_erfc, 1e-9F, 1e9F, nothing, 5},
     {"AngleOfSine", "angle_of(x, y)", angle_of, 1e-30F, 1.0F, rest_of_circle, 3},
