@@ -36,7 +36,7 @@ double stored_values_per_second(const Device& device)
     Device::State& state = device.state();
     if (state.stored_per_second == 0) {
         StoreRate rate(state);
-        std::array<double, 5> runs{};
+        std::array<double, 3> runs{};
         for (double& run : runs) run = rate.seconds();
         std::ranges::sort(runs);
         state.stored_per_second = static_cast<double>(StoreRate::count) / runs[runs.size() / 2];

@@ -5,6 +5,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -25,6 +26,23 @@ alpha = {{ values = [0.1, 0.2, 0.3, 0.4], as = "files" }}
 material = "m"
 quantity = "brdf"
 grid = {{ kind = "isotropic", theta_i = {n}, theta_o = {n}, delta_phi = 180 }}
+"""
+
+TWO_TABLES = """[output]
+format = "{format}"
+[[material]]
+name = "m"
+model = "ggx"
+[[table]]
+material = "m"
+name = "small"
+quantity = "brdf"
+grid = {{ kind = "isotropic", theta_i = 9, theta_o = 9, delta_phi = 18 }}
+[[table]]
+material = "m"
+name = "large"
+quantity = "brdf"
+grid = {{ kind = "isotropic", theta_i = 90, theta_o = 90, delta_phi = 180 }}
 """
 
 
@@ -195,6 +213,27 @@ class Cli(unittest.TestCase):
 
     def test_a_table_larger_than_the_disk(self):
         self.assertIn("iB", self.gonio("table", "ward", "--grid", "40000x40000x4000", code=2))
+
+    def test_a_disk_that_fills_up(self):
+        """A limit on the size of files fails in the writing calls, as a full disk does."""
+
+        def small_disk():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 20, 1 << 20))
+
+        for form in ("exr", "npy", "csv"):
+            (self.at / "scene.toml").write_text(TWO_TABLES.format(format=form))
+            done = subprocess.run(
+                [GONIO, "run", "scene.toml", "-o", form],
+                cwd=self.at,
+                text=True,
+                capture_output=True,
+                preexec_fn=small_disk,
+            )
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"{form}/large.{form}: cannot be written", done.stderr)
+            kept = sorted(path.name for path in (self.at / form).iterdir())
+            self.assertEqual(kept, sorted([f"small.{form}", "small.json"]))
 
     def test_devices_that_are_not_there(self):
         self.assertIn("there are:", self.gonio("table", "ward", "-d", "7:7", code=3))
