@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
+#include "commands/measured_models.hpp"
 #include "commands/parameters.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/material.hpp"
@@ -101,36 +102,56 @@ void list(bool json)
         fmt::print("{:<21} {}. {}\n", model.id, model.title, model.citation);
     for (const Alias& alias : aliases())
         fmt::print("{:<21} {}{}\n", alias.name, alias.model, setting_of(alias));
-    fmt::print("\n`gonio models ID` says more about one of them.\n");
+    fmt::print(
+        "\n`gonio models ID` says more about one of them, and --measure how accurate and fast "
+        "it is on your device.\n");
 }
 
 }  // namespace
 
 void add_models(CLI::App& app)
 {
+    struct Options {
+        std::string id, plot;
+        bool measure = false, json = false;
+        DeviceOptions device;
+    };
     CLI::App* verb = app.add_subcommand("models", "List the reflectance models, or all about one");
-    const auto id = std::make_shared<std::string>();
-    const auto json = std::make_shared<bool>(false);
-    const auto plot = std::make_shared<std::string>();
-    verb->add_option("ID", *id,
+    const auto options = std::make_shared<Options>();
+    verb->add_option("ID", options->id,
                      "a model or an alias; for a plot its parameters follow as --name value");
-    verb->add_option("--plot", *plot,
+    verb->add_option("--plot", options->plot,
                      "draw its lobe at four angles and its directional albedo: .png or .svg");
-    verb->add_flag("--json", *json, "Print JSON");
+    CLI::Option* measure = verb->add_flag(
+        "--measure", options->measure,
+        "measure accuracy, speed and the largest directional albedo, of one model or of all");
+    verb->add_flag("--json", options->json, "Print JSON");
+    options->device.add_to(*verb);
     verb->allow_extras();
-    verb->callback([verb, id, json, plot] {
+    verb->get_option("--plot")->excludes(measure);
+    verb->callback([verb, options] {
+        const std::string& id = options->id;
         const std::vector<std::string> words = verb->remaining();
-        if (plot->empty() && !words.empty())
+        if (options->plot.empty() && !words.empty())
             throw UsageError(fmt::format("what is `{}`? Parameters are for --plot", words.front()));
-        if (id->empty() && !plot->empty()) throw UsageError("--plot needs the ID of a model");
-        if (id->empty()) return list(*json);
-        if (!plot->empty())
-            return write_model_plot(*plot, Material{*id, {lobe_of_words(*id, words)}});
-        const Model& model = *default_lobe(*id).model;
-        if (*json)
-            fmt::print("{}\n", json_of(model).dump(2));
+        if (id.empty() && !options->plot.empty())
+            throw UsageError("--plot needs the ID of a model");
+        if (!options->plot.empty())
+            return write_model_plot(options->plot, Material{id, {lobe_of_words(id, words)}});
+        const Model* model = id.empty() ? nullptr : default_lobe(id).model;
+        if (options->measure) {
+            std::vector<const Model*> chosen{model};
+            if (!model) {
+                chosen.clear();
+                for (const Model& each : models()) chosen.push_back(&each);
+            }
+            return print_measured(options->device.open(), chosen, options->json);
+        }
+        if (!model) return list(options->json);
+        if (options->json)
+            fmt::print("{}\n", json_of(*model).dump(2));
         else
-            print(model);
+            print(*model);
     });
 }
 

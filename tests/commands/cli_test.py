@@ -3,6 +3,7 @@
 """cli_test.py GONIO: what a user sees of the verbs: output, messages, exit codes; going on."""
 
 import json
+import math
 import os
 import pathlib
 import resource
@@ -79,6 +80,17 @@ class Cli(unittest.TestCase):
         self.assertEqual(
             json.loads(self.gonio("models", "ggx", "--json"))["id"], "torrance_sparrow"
         )
+
+    def test_models_are_measured(self):
+        measured = json.loads(self.gonio("models", "lommel_seeliger", "--measure", "--json"))
+        (model,) = measured["models"]
+        self.assertLess(model["largest_relative_error"], model["bound"])
+        self.assertGreater(model["values_per_second"], 1e6)
+        # albedo/2 (1 - mu ln(1 + 1/mu)) grows towards grazing light (Hapke 2012, chapter 8)
+        exact = (1 - 0.01 * math.log(101)) / 2
+        self.assertAlmostEqual(model["largest_albedo"]["value"], exact, delta=1e-3)
+        self.assertTrue(model["largest_albedo"]["where"].startswith("n.l = 0.01"))
+        self.assertIn("albedo up to", self.gonio("models", "lambert", "--measure"))
 
     def test_plot_of_a_model(self):
         for name, start in (("a.png", b"\x89PNG"), ("a.svg", b"<?xml")):
