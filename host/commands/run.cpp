@@ -30,7 +30,7 @@ void run(const RunOptions& options)
     std::vector<ContactCard> cards;
     for (const SceneMaterial& material : scene.materials)
         if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of))
-            cards.push_back(make_card({material.name, *lobes}));
+            cards.push_back(make_card({material.name, *lobes, material.ambient}));
     write_contact_sheet(options.sheet, device, cards);
     fmt::print("{}\n", options.sheet);
 }

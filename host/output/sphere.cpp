@@ -106,13 +106,13 @@ void Sphere::add_sample(std::size_t pixel, double x, double y, double part)
     }
 }
 
-Surface Sphere::image(std::span<const glm::vec3> brdf) const
+Surface Sphere::image(std::span<const glm::vec3> brdf, glm::vec3 ambient) const
 {
     std::vector<glm::vec3> radiance(coverage_.size());
     for (std::size_t k = 0; k < shares_.size(); ++k)
         radiance[shares_[k].pixel] += shares_[k].weight * brdf[k];
     for (std::size_t k = 0; k < radiance.size(); ++k)
-        if (coverage_[k] > 0) radiance[k] /= coverage_[k];
+        if (coverage_[k] > 0) radiance[k] = radiance[k] / coverage_[k] + ambient;
     const float exposure = exposure_of(radiance);
 
     Surface surface = make_image(CAIRO_FORMAT_ARGB32, size_, size_);

@@ -23,8 +23,8 @@ public:
     const std::vector<DirectionPair>& pairs() const { return pairs_; }
 
     /// brdf[k] belongs to pairs()[k], linear sRGB, in 1/sr. The image is size x size, transparent
-    /// around the sphere, and exposed for what it shows.
-    Surface image(std::span<const glm::vec3> brdf) const;
+    /// around the sphere, and exposed for what it shows. ambient: a radiance to add everywhere.
+    Surface image(std::span<const glm::vec3> brdf, glm::vec3 ambient) const;
 
 private:
     /// What a pair adds to a pixel: the BRDF times this.

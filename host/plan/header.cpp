@@ -184,6 +184,7 @@ TableHeader make_header(const Job& job, const TableRequest& request,
     }
     if (const auto text = conversion_text(job); !text.empty()) attributes.add("conversion", text);
     attributes.add("material", material.name);
+    if (!material.ambient.empty()) attributes.add("ambient", attribute(material.ambient));
     const auto prefixes = lobe_prefixes(material.lobes);
     std::vector<Sweep> varied = swept;
     for (const Axis& axis : request.axes)

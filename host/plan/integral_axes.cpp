@@ -41,7 +41,8 @@ std::vector<std::pair<std::string_view, DirectionAxis>> direction_axes(const Qua
         if (axis.name == "mu_i") names.emplace_back("mu_i", cosine);
         if (axis.name == "mu_o") names.emplace_back("mu_o", other_cosine);
         if (axis.name != "mu") continue;
-        const bool light = quantity.id == "directional_albedo";
+        const bool light =
+            quantity.id == "directional_albedo" || quantity.id == "specular_reflectance";
         names = {{"mu", cosine},
                  {light ? "theta_i" : "theta_o", angle},
                  {light ? "phi_i" : "phi_o", azimuth}};

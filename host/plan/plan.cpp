@@ -150,7 +150,10 @@ private:
             fill_grid(job, request, lobes, axes);
         else
             fill_integral(job, request, lobes, axes);
-        for (Material& point : job.materials) point.name = material.name;
+        for (Material& point : job.materials) {
+            point.name = material.name;
+            point.ambient = material.ambient;
+        }
         job.header = make_header(job, request, axes);
         located(job.where, [&] { check(job.header); });
         if (request.quantity->on_grid()) {

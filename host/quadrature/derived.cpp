@@ -3,6 +3,7 @@
 #include "quadrature/derived.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,15 +81,49 @@ Albedos split_sum(const Device& device, const Job& job, bool multiscatter)
     return all;
 }
 
+/// In double, so that what is left is the rounding to float.
+Albedos specular(const Job& job)
+{
+    const std::size_t channels = job.materials.front().channels();
+    Albedos all;
+    for (std::size_t c = 0; c < channels; ++c) {
+        std::vector<double> values, errors;
+        for (const IntegralCell& cell : job.cells) {
+            const double mu = cell.at.cosine;
+            const glm::dvec3 l(std::sqrt((1 - mu) * (1 + mu)), 0, mu);
+            values.push_back(specular_reflectance(job.materials[cell.material], l, c));
+            errors.push_back(values.back() * 0x1p-24);
+        }
+        all.value.push_back(std::move(values));
+        all.error.push_back(std::move(errors));
+    }
+    return all;
+}
+
 Albedos albedos_of(const Device& device, const Job& job)
 {
     const std::string& quantity = job.header.quantity;
     if (is_split_sum(quantity)) return split_sum(device, job, quantity == "dfg_multiscatter");
+    if (quantity == "specular_reflectance") return specular(job);
     if (quantity == "mean_albedo") return means_of_cells(device, job);
     if (quantity == "kulla_conty") return multiscatter_lobe(device, job);
     const bool viewer = quantity == "hemispherical_directional_reflectance";
     return integrate(device, job.materials, job.cells,
                      {viewer ? Fixed::viewer : Fixed::light, job.max_error});
+}
+
+void check_mirror_term(const Material& material)
+{
+    std::vector<std::string_view> models;
+#define SPECULAR(id) models.emplace_back(#id);
+#include "gonio/shared/models.inc"
+    const bool has_one = std::ranges::any_of(material.lobes, [&](const Lobe& lobe) {
+        return std::ranges::find(models, lobe.model->id) != models.end();
+    });
+    if (!has_one)
+        throw UsageError(
+            fmt::format("no lobe of material `{}` has a mirror term; models that have one: {}",
+                        material.name, fmt::join(models, ", ")));
 }
 
 }  // namespace
@@ -105,6 +140,7 @@ std::vector<std::string> derived_channels(const std::string& quantity, const Mat
 
 void check_derived(const std::string& quantity, const Material& material)
 {
+    if (quantity == "specular_reflectance") return check_mirror_term(material);
     if (!is_split_sum(quantity) && quantity != "kulla_conty") return;
     for (const Lobe& lobe : material.lobes) {
         const auto refuse = [&](std::string_view why) {

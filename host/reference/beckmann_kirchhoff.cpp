@@ -19,4 +19,11 @@ double beckmann_kirchhoff(const beckmann_kirchhoff_params& p, glm::dvec3 l, glm:
            diffracted(p, p.sigma, l.z + v.z, l, v);
 }
 
+/// F e^-g, the power of the mean field.
+double beckmann_kirchhoff_specular(const beckmann_kirchhoff_params& p, glm::dvec3 l,
+                                   std::size_t channel)
+{
+    return facet_reflectance(p, l.z, channel) * undiffracted(p, p.sigma, 2 * l.z);
+}
+
 }  // namespace gonio::reference

@@ -38,27 +38,30 @@ private:
     std::size_t next_ = 0;
 };
 
-// Reference bind_ward(const Lobe& lobe, ...): braces are read from left to right.
-#define MODEL(id, title, citation, traits)                       \
-    Reference bind_##id(const Lobe& lobe, Parameters parameters) \
-    {                                                            \
-        Reader read(lobe, parameters);                           \
-        const id##_params p                                      \
+// ward_params read_ward(const Lobe& lobe, ...): braces are read from left to right.
+#define MODEL(id, title, citation, traits)                         \
+    id##_params read_##id(const Lobe& lobe, Parameters parameters) \
+    {                                                              \
+        Reader read(lobe, parameters);                             \
+        return                                                     \
         {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) read.scalar(),
 #define COLOR(id, name, unit, least, greatest, preset, doc) read.color(),
 #define CHOICE(id, name, preset, doc) read.choice<id##_##name>(),
-#define END_MODEL(id)                                                                             \
-    }                                                                                             \
-    ;                                                                                             \
-    return [p](glm::dvec3 l, glm::dvec3 v, std::size_t channel) { return id(p, l, v, channel); }; \
+#define END_MODEL(id) \
+    }                 \
+    ;                 \
     }
 #include "gonio/shared/models.inc"
 
 Reference bind(const Lobe& lobe, Parameters parameters)
 {
-#define MODEL(name, title, citation, traits) \
-    if (lobe.model->id == #name) return bind_##name(lobe, parameters);
+#define MODEL(name, title, citation, traits)                                                       \
+    if (lobe.model->id == #name)                                                                   \
+        return                                                                                     \
+            [p = read_##name(lobe, parameters)](glm::dvec3 l, glm::dvec3 v, std::size_t channel) { \
+                return name(p, l, v, channel);                                                     \
+            };
 #include "gonio/shared/models.inc"
     return {};
 }
@@ -66,6 +69,16 @@ Reference bind(const Lobe& lobe, Parameters parameters)
 double weight(const Lobe& lobe, std::size_t channel, Parameters parameters)
 {
     return as_asked(lobe.weight[lobe.weight.size() == 1 ? 0 : channel], parameters);
+}
+
+/// 0 for models without a mirror term.
+double specular(const Lobe& lobe, glm::dvec3 l, std::size_t channel)
+{
+#define SPECULAR(name)           \
+    if (lobe.model->id == #name) \
+        return name##_specular(read_##name(lobe, Parameters::rounded), l, channel);
+#include "gonio/shared/models.inc"
+    return 0;
 }
 
 }  // namespace
@@ -91,6 +104,15 @@ Reference make_reference(const Material& material, Measure measure, Parameters p
         }
         return sum;
     };
+}
+
+double specular_reflectance(const Material& material, glm::dvec3 l, std::size_t channel)
+{
+    double sum = 0;
+    for (const Lobe& lobe : material.lobes)
+        sum += reference::weight(lobe, channel, Parameters::rounded) *
+               reference::specular(lobe, l, channel);
+    return sum;
 }
 
 }  // namespace gonio

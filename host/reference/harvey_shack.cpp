@@ -36,4 +36,10 @@ double harvey_shack(const harvey_shack_params& p, glm::dvec3 l, glm::dvec3 v, st
     return q * diffracted(p, p.sigma, cosines(p.form, l, v), l, v);
 }
 
+/// Q e^-g, the surface's transfer function at great distances.
+double harvey_shack_specular(const harvey_shack_params& p, glm::dvec3 l, std::size_t channel)
+{
+    return facet_reflectance(p, l.z, channel) * undiffracted(p, p.sigma, cosines(p.form, l, l));
+}
+
 }  // namespace gonio::reference

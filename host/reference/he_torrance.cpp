@@ -62,4 +62,11 @@ double he_torrance(const he_torrance_params& p, glm::dvec3 l, glm::dvec3 v, std:
            diffracted(p, effective_sigma(p, l, v), l.z + v.z, l, v);
 }
 
+/// The specular part: F e^-g S.
+double he_torrance_specular(const he_torrance_params& p, glm::dvec3 l, std::size_t channel)
+{
+    return facet_reflectance(p, l.z, channel) * shadowing(p, l) * shadowing(p, l) *
+           undiffracted(p, effective_sigma(p, l, l), 2 * l.z);
+}
+
 }  // namespace gonio::reference

@@ -39,4 +39,9 @@ using Color = std::array<double, max_channels>;
     double id(const id##_params& p, glm::dvec3 l, glm::dvec3 v, std::size_t channel);
 #include "gonio/shared/models.inc"
 
+// double he_torrance_specular(const he_torrance_params& p, glm::dvec3 l, std::size_t channel);
+// The part of the light from l that is reflected in the mirror direction, by a Dirac.
+#define SPECULAR(id) double id##_specular(const id##_params& p, glm::dvec3 l, std::size_t channel);
+#include "gonio/shared/models.inc"
+
 }  // namespace gonio::reference

@@ -16,4 +16,10 @@ double vernold_harvey(const vernold_harvey_params& p, glm::dvec3 l, glm::dvec3 v
            diffracted(p, p.sigma, l.z + v.z, l, v);
 }
 
+/// F e^-g, as in Beckmann & Spizzichino.
+double vernold_harvey_specular(const vernold_harvey_params& p, glm::dvec3 l, std::size_t channel)
+{
+    return facet_reflectance(p, l.z, channel) * undiffracted(p, p.sigma, 2 * l.z);
+}
+
 }  // namespace gonio::reference

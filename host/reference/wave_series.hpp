@@ -2,6 +2,7 @@
 // The series that every wave-optics model of a Gaussian surface ends in.
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <numbers>
 
@@ -24,6 +25,14 @@ double diffracted(const Surface& surface, double sigma, double cosines, glm::dve
     const double x = l.x + v.x, y = l.y + v.y;
     const double b = pi * pi * lengths * lengths * (x * x + y * y);
     return pi * lengths * lengths * wave_series(phase * phase, b);
+}
+
+/// e^-g for the same g: what stays in the mirror direction.
+template <class Surface>
+double undiffracted(const Surface& surface, double sigma, double cosines)
+{
+    const double phase = 2 * std::numbers::pi * sigma / (surface.wavelength / 1000) * cosines;
+    return std::exp(-phase * phase);
 }
 
 }  // namespace gonio::reference

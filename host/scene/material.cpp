@@ -27,6 +27,35 @@ std::vector<Lobe> read_lobes(const Value& list, std::vector<Sweep>& sweeps)
     return lobes;
 }
 
+/// `diffuse` and `specular`, the components of Phong's shading by name.
+std::vector<Lobe> read_components(const Section& material, std::vector<Sweep>& sweeps)
+{
+    std::vector<Lobe> lobes;
+    for (const auto name : {"diffuse", "specular"}) {
+        const auto component = material.find(name);
+        if (!component) continue;
+        const Section section(*component);
+        section.allow({"model", "weight", "parameters"});
+        lobes.push_back(read_lobe(section, lobes.size(), sweeps));
+    }
+    return lobes;
+}
+
+/// One number or one per channel of the material.
+std::vector<double> read_ambient(const Value& value, std::size_t channels)
+{
+    const auto numbers = value.is_list() ? value.numbers() : std::vector{value.number()};
+    for (const double number : numbers)
+        if (!(number >= 0 && number <= 1e6))
+            value.fail(fmt::format("`ambient` is {}; allowed is a radiance of 0 to 1e6", number));
+    if (numbers.size() != 1 && numbers.size() != channels)
+        value.fail(
+            fmt::format("`ambient` has {} numbers; allowed is one, or one for each of {} "
+                        "channels",
+                        numbers.size(), channels));
+    return numbers;
+}
+
 SkinRequest read_skin(const Section& material, std::vector<Sweep>& sweeps)
 {
     SkinRequest skin{material.at("skin").text(), {}};
@@ -36,19 +65,21 @@ SkinRequest read_skin(const Section& material, std::vector<Sweep>& sweeps)
     return skin;
 }
 
-/// "model", "lobes", "layers" or "skin": which the material has.
+/// "model", "lobes", "diffuse" (or specular, or both), "layers" or "skin": which the material has.
 std::string_view kind_of(const Section& section)
 {
-    section.allow({"name", "model", "weight", "parameters", "lobes", "layers", "n_above", "n_below",
-                   "bottom", "bottom_albedo", "skin"});
+    section.allow({"name", "model", "weight", "parameters", "lobes", "diffuse", "specular",
+                   "ambient", "layers", "n_above", "n_below", "bottom", "bottom_albedo", "skin"});
     std::vector<std::string_view> kinds;
-    for (const auto kind : {"model", "lobes", "layers", "skin"})
+    for (const auto kind : {"model", "lobes", "diffuse", "specular", "layers", "skin"})
         if (section.find(kind)) kinds.emplace_back(kind);
+    if (kinds == std::vector<std::string_view>{"diffuse", "specular"}) kinds.pop_back();
     if (kinds.size() != 1)
-        section.fail(fmt::format("a material is one of `model`, `lobes`, `layers` and `skin`, {}",
-                                 kinds.empty()
-                                     ? "and this one has none of them"
-                                     : fmt::format("not `{}`", fmt::join(kinds, "` and `"))));
+        section.fail(fmt::format(
+            "a material is one of `model`, `lobes`, `diffuse` with `specular`, `layers` and "
+            "`skin`, {}",
+            kinds.empty() ? "and this one has none of them"
+                          : fmt::format("not `{}`", fmt::join(kinds, "` and `"))));
     return kinds.front();
 }
 
@@ -77,11 +108,14 @@ SceneMaterial read_material(const Value& value)
     material.where = section.where();
     material.name = read_name(section.at("name"));
     if (kind == "model") {
-        section.allow({"name", "model", "weight", "parameters"});
+        section.allow({"name", "model", "weight", "parameters", "ambient"});
         material.made_of = std::vector{read_lobe(section, 0, material.sweeps)};
     } else if (kind == "lobes") {
-        section.allow({"name", "lobes"});
+        section.allow({"name", "lobes", "ambient"});
         material.made_of = read_lobes(section.at("lobes"), material.sweeps);
+    } else if (kind == "diffuse" || kind == "specular") {
+        section.allow({"name", "diffuse", "specular", "ambient"});
+        material.made_of = read_components(section, material.sweeps);
     } else if (kind == "layers") {
         section.allow({"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo"});
         material.made_of = read_layers(section, material.sweeps);
@@ -89,8 +123,13 @@ SceneMaterial read_material(const Value& value)
         section.allow({"name", "skin", "parameters"});
         material.made_of = read_skin(section, material.sweeps);
     }
-    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of))
-        located(material.where, [&] { return Material{material.name, *lobes}.channels(); });
+    if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of)) {
+        const auto channels = located(material.where, [&] {
+            return Material{material.name, *lobes}.channels();
+        });
+        if (const auto ambient = section.find("ambient"))
+            material.ambient = read_ambient(*ambient, channels);
+    }
     return material;
 }
 

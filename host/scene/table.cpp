@@ -78,7 +78,7 @@ void check_solver(const Section& table, const TableRequest& request)
         if (const auto value = table.find(key))
             value->fail(
                 fmt::format("this version has no `{}` for the quantity `{}`, whose closed "
-                            "form is exact at every point of the `grid`",
+                            "form is exact everywhere",
                             key, request.quantity->id));
 }
 
@@ -124,7 +124,7 @@ TableRequest read_request(const Section& table, std::size_t which,
     request.solver = read_solver(table, *request.quantity);
     check_solver(table, request);
     if (!surface) read_light_request(table, request);
-    if (request.solver == "quadrature") check_integral_axes(table, material, request);
+    if (surface && !request.quantity->on_grid()) check_integral_axes(table, material, request);
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(
             "the format merl holds a rusinkiewicz grid of 90 x 90 x 180 with spacing = \"merl\" "

@@ -43,6 +43,9 @@ Lobe default_lobe(std::string_view name);
 struct Material {
     std::string name;
     std::vector<Lobe> lobes;
+    /// A constant radiance for each channel, or one for all, which pictures add under a light of
+    /// unit irradiance: the ambient term of Phong's shading. It is no part of the BRDF.
+    std::vector<double> ambient = {};
 
     bool isotropic() const;
     std::size_t channels() const;
@@ -63,5 +66,9 @@ using Reference = std::function<double(glm::dvec3 l, glm::dvec3 v, std::size_t c
 
 Reference make_reference(const Material& material, Measure measure,
                          Parameters parameters = Parameters::rounded);
+
+/// The part of the light from l that the mirror terms of the material's wave models reflect; 0 if it
+/// has none. In a channel.
+double specular_reflectance(const Material& material, glm::dvec3 l, std::size_t channel);
 
 }  // namespace gonio

@@ -45,6 +45,7 @@ struct SceneMaterial {
     std::variant<std::vector<Lobe>, LayeredMedium, SkinRequest> made_of;
     std::vector<Sweep> sweeps;  ///< those that are axes come from the outermost
     Where where;
+    std::vector<double> ambient = {};  ///< as in Material
 };
 
 /// How exact, how long or how many: what is not set is not limited.

@@ -30,7 +30,7 @@ Picture picture_of(const std::function<double(double slope_x, double slope_y)>& 
         const glm::dvec3 h = l + v;
         values.push_back(static_cast<float>(brdf(h.x / h.z, h.y / h.z)) * colour);
     }
-    return test::read_picture(sphere.image(values).get());
+    return test::read_picture(sphere.image(values, glm::vec3(0)).get());
 }
 
 Picture diffuse(glm::vec3 colour)

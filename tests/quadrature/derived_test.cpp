@@ -153,6 +153,37 @@ TEST(Derived, DirectionsOfAOneWayLobe)
     EXPECT_GT(std::abs(out.values[0][0] - in.values[0][0]), 0.01);
 }
 
+// What diffraction takes from the mirror direction is all of the lobe: 1 - e^-g with g fixed by the
+// incidence integrates to a closed form as long as the lobe stays above the horizon.
+TEST(Derived, MirrorTermAndLobeReflectAllLight)
+{
+    const std::string material =
+        "model = \"harvey_shack\"\nparameters = { form = \"modified\", fresnel = \"schlick\", "
+        "f0 = 1, wavelength = 500, sigma = 0.04, tau = 20 }";
+    const std::string axes = "axes = { mu = { values = [0.6, 0.8, 1] } }";
+    const auto mirror = made(material, "quantity = \"specular_reflectance\"\n" + axes);
+    const auto lobe = made(material, "quantity = \"directional_albedo\"\n" + axes);
+    for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_NEAR(mirror.values[0][k] + lobe.values[0][k], 1, 2e-6);
+    EXPECT_NEAR(mirror.values[0][2], std::exp(-std::pow(0.16 * std::numbers::pi / 0.5, 2)), 1e-7);
+}
+
+// He & al. 1991 lose light to shadowing only at grazing incidence.
+TEST(Derived, MirrorTermsOfTheWaveModels)
+{
+    const std::string numbers =
+        "fresnel = \"schlick\", f0 = 0.5, wavelength = 600, sigma = 0.03, tau = 3 }";
+    for (const char* model : {"beckmann_kirchhoff", "vernold_harvey", "he_torrance"}) {
+        const auto mirror = made(fmt::format("model = \"{}\"\nparameters = {{ {}", model, numbers),
+                                 "quantity = \"specular_reflectance\"\n"
+                                 "axes = { mu = { values = [0.01, 1] } }");
+        EXPECT_NEAR(mirror.values[0][1], 0.5 * std::exp(-std::pow(0.2 * std::numbers::pi, 2)), 1e-7)
+            << model;
+        const bool shadowed = std::string_view(model) == "he_torrance";
+        EXPECT_EQ(mirror.values[0][0] < 0.9, shadowed) << model;
+    }
+}
+
 TEST(Derived, FilesHoldValuesAndErrors)
 {
     const test::TemporaryDirectory directory;
@@ -208,6 +239,9 @@ TEST(BadIntegral, IsRefusedForTheMaterial)
     EXPECT_THAT(message("model = \"ggx\"\nparameters = { fresnel = \"dielectric\" }"),
                 HasSubstr("it needs fresnel = \"schlick\""));
     EXPECT_EQ(message("model = \"schlick_1994\""), "");
+    EXPECT_THROW(made("model = \"ggx\"",
+                      "quantity = \"specular_reflectance\"\naxes = { mu = { to = 1, count = 2 } }"),
+                 UsageError);
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ TEST(BadScene, HasAnUnknownKey)
     EXPECT_EQ(bad_output("@fromat = \"exr\""), "unknown key `fromat`; did you mean `format`?");
     EXPECT_EQ(bad_material("@modle = \"ward\""), "unknown key `modle`; did you mean `model`?");
     EXPECT_EQ(bad_material("model = \"ward\"\n@n_above = 1"),
-              "unknown key `n_above`; known are: name, model, weight, parameters");
+              "unknown key `n_above`; known are: name, model, weight, parameters, "
+              "ambient");
     EXPECT_EQ(bad_table("@quanttiy = \"brdf\""),
               "unknown key `quanttiy`; did you mean `quantity`?");
     EXPECT_EQ(bad_grid("kind = \"isotropic\", theta_i = 1, theta_o = 1, @delta_ph = 1"),
@@ -75,10 +76,10 @@ TEST(BadScene, HasAnUnknownKey)
 TEST(BadScene, LacksAKey)
 {
     EXPECT_EQ(refusal("@[[material]]\nmodel = \"ward\"\n"), "`material[0]` needs a `name`");
-    EXPECT_EQ(
-        refusal("@[[material]]\nname = \"steel\"\n"),
-        "a material is one of `model`, `lobes`, `layers` and `skin`, and this one has none of "
-        "them");
+    EXPECT_EQ(refusal("@[[material]]\nname = \"steel\"\n"),
+              "a material is one of `model`, `lobes`, `diffuse` with `specular`, `layers` and "
+              "`skin`, and this one has none of "
+              "them");
     EXPECT_EQ(refusal("[[material]]\nname = \"a\"\nmodel = \"ward\"\n@[[table]]\nmaterial = \"a\"\n"
                       "quantity = \"brdf\"\n"),
               "`table[0]` needs a `grid`");
@@ -116,10 +117,16 @@ TEST(BadScene, TakesWholeNumbersForFloats)
 TEST(BadScene, HasAMaterialOfTwoKindsOrNone)
 {
     const auto two = "@[[material]]\nname = \"a\"\nmodel = \"ward\"\nlobes = []\n";
-    EXPECT_EQ(
-        refusal(two),
-        "a material is one of `model`, `lobes`, `layers` and `skin`, not `model` and `lobes`");
+    EXPECT_EQ(refusal(two),
+              "a material is one of `model`, `lobes`, `diffuse` with `specular`, `layers` and "
+              "`skin`, not `model` and `lobes`");
     EXPECT_EQ(bad_material("lobes = @[]"), "a sum of no lobes; allowed is at least one");
+    EXPECT_EQ(bad_material("diffuse = { model = \"lambert\", @parameter = {} }"),
+              "unknown key `parameter`; did you mean `parameters`?");
+    EXPECT_EQ(bad_material("model = \"ward\"\nambient = @-1"),
+              "`ambient` is -1; allowed is a radiance of 0 to 1e6");
+    EXPECT_EQ(bad_material("model = \"ward\"\nambient = @[1, 2]"),
+              "`ambient` has 2 numbers; allowed is one, or one for each of 1 channels");
     EXPECT_EQ(
         refusal("@[[material]]\nname = \"a\"\nlobes = [ { model = \"lambert\", weight = [1, 1] }, "
                 "{ model = \"lambert\", parameters = { rho = [1, 1, 1] } } ]\n"),

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "gonio/job.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 TEST(ExampleScenes, AreRightAndCanBePlanned)
 {
-    for (const auto name : {"quickstart", "brushed_steel", "merl"}) {
+    for (const auto name : {"quickstart", "brushed_steel", "merl", "dfg", "slab"}) {
         const auto scene =
             load_scene(std::filesystem::path(SCENES) / (std::string(name) + ".toml"));
         EXPECT_THAT(scene.warnings, testing::IsEmpty());
@@ -95,6 +96,36 @@ spacing = "merl"
     EXPECT_EQ(table.grid->axes[2].values.size(), 4U);
     EXPECT_THAT(scene.warnings,
                 testing::ElementsAre("scene.toml:13:1: no table is asked of material `brushed`"));
+}
+
+// Phong, CACM 18(6), 1975: ambient, diffuse and specular components.
+TEST(Scene, HasTheComponentsOfPhongsShading)
+{
+    const auto scene = parse_scene(R"(
+[[material]]
+name = "clay"
+ambient = [0.1, 0.05, 0.02]
+diffuse = { model = "lambert", parameters = { rho = [0.8, 0.5, 0.3] } }
+specular = { model = "phong", weight = 0.2, parameters = { exponent = { values = [5, 50] } } }
+
+[[table]]
+material = "clay"
+quantity = "brdf"
+grid = { kind = "isotropic", theta_i = 2, theta_o = 2, delta_phi = 4 }
+)",
+                                   "clay.toml");
+    const Job job = plan_jobs(scene).front();
+    ASSERT_EQ(job.materials.size(), 2U);
+    for (const Material& material : job.materials) {
+        ASSERT_EQ(material.lobes.size(), 2U);
+        EXPECT_EQ(material.lobes[0].model->id, "lambert");
+        EXPECT_EQ(material.lobes[1].model->id, "phong");
+        EXPECT_EQ(material.ambient, (std::vector{0.1, 0.05, 0.02}));
+    }
+    EXPECT_EQ(job.header.axes.front().name, "phong.exponent");
+    const auto& told = job.header.attributes;
+    EXPECT_EQ(std::ranges::count(told, "ambient", [](const auto& entry) { return entry.first; }),
+              1);
 }
 
 }  // namespace
