@@ -67,8 +67,8 @@ using Reference = std::function<double(glm::dvec3 l, glm::dvec3 v, std::size_t c
 Reference make_reference(const Material& material, Measure measure,
                          Parameters parameters = Parameters::rounded);
 
-/// The part of the light from l that the mirror terms of the material's wave models reflect; 0 if it
-/// has none. In a channel.
+/// The part of the light from l that the mirror terms of the material's wave models reflect, in a
+/// channel; 0 if it has none.
 double specular_reflectance(const Material& material, glm::dvec3 l, std::size_t channel);
 
 }  // namespace gonio

@@ -90,7 +90,7 @@ class Cli(unittest.TestCase):
         exact = (1 - 0.01 * math.log(101)) / 2
         self.assertAlmostEqual(model["largest_albedo"]["value"], exact, delta=1e-3)
         self.assertTrue(model["largest_albedo"]["where"].startswith("n.l = 0.01"))
-        self.assertIn("albedo up to", self.gonio("models", "lambert", "--measure"))
+        self.assertIn("albedo up to", self.gonio("models", "lommel_seeliger", "--measure"))
 
     def test_plot_of_a_model(self):
         for name, start in (("a.png", b"\x89PNG"), ("a.svg", b"<?xml")):
