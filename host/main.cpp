@@ -41,6 +41,7 @@ int parse(int count, char** words)
     gonio::add_eval(app);
     gonio::add_table(app);
     gonio::add_run(app);
+    gonio::add_photon(app);
     gonio::add_info(app);
     gonio::add_lookup(app);
     gonio::add_verify(app);

@@ -28,5 +28,6 @@ void add_run(CLI::App& app);
 void add_info(CLI::App& app);
 void add_lookup(CLI::App& app);
 void add_verify(CLI::App& app);
+void add_photon(CLI::App& app);
 
 }  // namespace gonio
