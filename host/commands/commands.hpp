@@ -25,6 +25,7 @@ void add_models(CLI::App& app);
 void add_eval(CLI::App& app);
 void add_table(CLI::App& app);
 void add_run(CLI::App& app);
+void add_compress(CLI::App& app);
 void add_info(CLI::App& app);
 void add_lookup(CLI::App& app);
 void add_verify(CLI::App& app);

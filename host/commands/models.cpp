@@ -23,6 +23,10 @@ nlohmann::ordered_json json_of(const Parameter& parameter)
             json["options"].push_back({{"name", option.name}, {"doc", option.doc}});
         return json;
     }
+    if (parameter.kind == Kind::table) {
+        json["file"] = true;
+        return json;
+    }
     json["per_channel"] = parameter.kind == Kind::color;
     json["unit"] = parameter.unit;
     json["least"] = parameter.least;
@@ -59,6 +63,10 @@ void print(const Parameter& parameter)
                            : "",
                        (option.traits & VALUE) != 0 ? "; prints a value, not a BRDF" : "",
                        (option.traits & ONE_WAY) != 0 ? "; not reciprocal" : "");
+        return;
+    }
+    if (parameter.kind == Kind::table) {
+        fmt::print("  --{:<12} {}\n", parameter.name, parameter.doc);
         return;
     }
     fmt::print("  --{:<12} {}: {} to {}{}, default {}{}\n", parameter.name, parameter.doc,

@@ -15,7 +15,7 @@ namespace {
 void set(Lobe& lobe, const std::string& name, const std::string& value)
 {
     const std::size_t index = lobe.model->index_of(name);
-    if (index != Model::npos && lobe.model->parameters[index].kind == Kind::choice)
+    if (index != Model::npos && !lobe.model->parameters[index].is_number())
         return lobe.set(name, value);
     std::vector<double> numbers;
     for (const std::string& part : CLI::detail::split(value, ','))

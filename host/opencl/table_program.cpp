@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
+
+#include "gonio/shared/residual_fields.h"
 
 namespace gonio {
 namespace {
@@ -24,6 +27,32 @@ std::string preamble(const Material& material, const std::string& directions_fil
                 choices += fmt::format("{}, ", lobe.values[p][0]);
     }
     return fmt::format("{}#define LOBES{}\n#define CHOICES {}0\n", includes, lobes, choices);
+}
+
+/// The grid as kernels/core/residual.cl reads it; an empty one for nullptr.
+void append(const ResidualGrid* grid, std::vector<float>& values)
+{
+    std::vector<float> fields(residual_values, 0.0F);
+    fields[residual_size] = static_cast<float>(residual_values);
+    if (grid != nullptr) {
+        fields[residual_size] = static_cast<float>(residual_values + grid->values.size());
+        fields[residual_plane] = static_cast<float>(grid->plane());
+        fields[residual_channels] = static_cast<float>(grid->channels);
+        fields[residual_root] = grid->root ? 1.0F : 0.0F;
+        for (std::size_t a = 0; a < grid->positions.size(); ++a) {
+            const std::vector<double>& at = grid->positions[a];
+            const std::size_t first = a == 2 ? 0 : 1;  // of the samples that are evenly spaced
+            fields[residual_count + a] = static_cast<float>(at.size());
+            fields[residual_first + a] = static_cast<float>(at[first]);
+            fields[residual_inverse_step + a] = static_cast<float>(1 / (at[first + 1] - at[first]));
+            if (a == 2) continue;
+            const double angle = a == 0 && grid->root ? at.back() * at.back() : at.back();
+            fields[residual_last + a] = static_cast<float>(at.back());
+            fields[residual_rest + a] = static_cast<float>(std::numbers::pi / 2 - angle);
+        }
+    }
+    values.insert(values.end(), fields.begin(), fields.end());
+    if (grid != nullptr) values.insert(values.end(), grid->values.begin(), grid->values.end());
 }
 
 }  // namespace
@@ -59,6 +88,10 @@ std::vector<float> parameter_values(const Material& material)
         for (std::size_t p = 0; p < lobe.values.size(); ++p) {
             const Kind kind = lobe.model->parameters[p].kind;
             if (kind == Kind::choice) continue;
+            if (kind == Kind::table) {
+                append(lobe.table(p).get(), values);
+                continue;
+            }
             for (std::size_t c = 0; c < (kind == Kind::color ? channels : 1); ++c)
                 values.push_back(static_cast<float>(lobe.number(p, c)));
         }

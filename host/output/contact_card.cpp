@@ -41,6 +41,9 @@ std::string text_of(const Lobe& lobe)
         if (parameter.kind == Kind::choice) {
             const auto option = static_cast<std::size_t>(lobe.values[p][0]);
             variant.push_back(fmt::format("{}{}{}", name, glue, parameter.options[option].name));
+        } else if (parameter.kind == Kind::table) {
+            if (const auto grid = lobe.table(p))
+                variant.push_back(fmt::format("{}{}{}", name, glue, grid->name));
         } else if (!name.empty() && lobe.values[p] != std::vector{parameter.preset}) {
             numbers.push_back(fmt::format("{}{}{}{}", name, glue, number_text(lobe.values[p]),
                                           parameter.unit == "deg" ? "°" : ""));

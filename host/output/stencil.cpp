@@ -73,7 +73,8 @@ Stencil::Stencil(const Axis& axis, Start start)
     const bool is_half = is_near(high_ - low_, 180);
     if (is_near(high_ - low_, 360) || (is_half && axis.name == "phi_d")) {
         beyond_ = Beyond::repeat;
-    } else if (is_half && axis.name == "delta_phi") {
+    } else if ((is_half && axis.name == "delta_phi") ||
+               (is_near(high_ - low_, 90) && axis.name == "phi_d")) {
         beyond_ = Beyond::mirror;
     }
 }

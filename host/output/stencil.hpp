@@ -16,8 +16,9 @@ enum class Interpolation { nearest, linear, cubic };
 
 /// Beyond an axis' ends: an azimuth (its name holds "phi", its unit is "deg", three or more even
 /// samples) over 360 degrees repeats; delta_phi over 180 degrees is mirrored, phi_d over 180
-/// degrees repeats (reciprocity). An angle from a pole that starts there goes on behind it, on the
-/// other side of the circle. Every other end is held: beyond it the last sample counts.
+/// degrees repeats (reciprocity), phi_d over 90 degrees is mirrored. An angle from a pole that
+/// starts there goes on behind it, on the other side of the circle. Every other end is held: beyond
+/// it the last sample counts.
 class Stencil {
 public:
     enum class Start { end, pole };

@@ -54,6 +54,12 @@ public:
                 add(name, std::string(parameter.options[option].name));
                 continue;
             }
+            if (parameter.kind == Kind::table) {
+                const auto grid = lobe.table(k);
+                add(name, grid ? grid->name : std::string("none"));
+                if (grid) add(name + ".digest", grid->digest);
+                continue;
+            }
             add(name, attribute(lobe.values[k]));
             if (parameter.unit != "1") add(name + ".unit", std::string(parameter.unit));
         }

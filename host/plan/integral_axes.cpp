@@ -58,7 +58,7 @@ std::optional<Sweep> parameter_of(const std::vector<Lobe>& lobes, std::string_vi
         const std::string parameter(name.substr(prefixes[part].size()));
         const Model& model = *lobes[part].model;
         const std::size_t index = model.index_of(parameter);
-        const bool number = index != Model::npos && model.parameters[index].kind != Kind::choice;
+        const bool number = index != Model::npos && model.parameters[index].is_number();
         const bool both =
             std::ranges::find(model.both, parameter, &Both::alias) != model.both.end();
         if (number || both || parameter == "weight") return Sweep{part, parameter, {}, true, {}};

@@ -26,6 +26,7 @@ public:
         ++next_;
         return all;
     }
+    std::shared_ptr<const ResidualGrid> table() { return lobe_.table(next_++); }
     template <class Choice>
     Choice choice()
     {
@@ -47,6 +48,7 @@ private:
         {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) read.scalar(),
 #define COLOR(id, name, unit, least, greatest, preset, doc) read.color(),
+#define TABLE(id, name, doc) read.table(),
 #define CHOICE(id, name, preset, doc) read.choice<id##_##name>(),
 #define END_MODEL(id) \
     }                 \

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 
 #include "gonio/material.hpp"
 
@@ -26,6 +27,7 @@ using Color = std::array<double, max_channels>;
 #define MODEL(id, title, citation, traits) struct id##_params {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) double name;
 #define COLOR(id, name, unit, least, greatest, preset, doc) Color name;
+#define TABLE(id, name, doc) std::shared_ptr<const ResidualGrid> name;
 #define CHOICE(id, name, preset, doc) id##_##name name;
 #define END_MODEL(id) \
     }                 \

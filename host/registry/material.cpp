@@ -66,8 +66,10 @@ void Lobe::set(std::string_view name, const std::vector<double>& numbers)
     }
     const std::size_t index = index_or_throw(*model, name);
     const Parameter& parameter = model->parameters[index];
-    if (parameter.kind == Kind::choice)
-        throw UsageError(fmt::format("`{}` is a choice by name, not a number", name));
+    if (!parameter.is_number())
+        throw UsageError(
+            fmt::format("`{}` is {}, not a number", name,
+                        parameter.kind == Kind::choice ? "a choice by name" : "read from a file"));
     if (parameter.kind == Kind::scalar && numbers.size() != 1)
         throw UsageError(fmt::format("`{}` is one number, not {}", name, numbers.size()));
     check_channels(name, numbers);
@@ -79,6 +81,13 @@ void Lobe::set(std::string_view name, std::string_view option)
 {
     const std::size_t index = index_or_throw(*model, name);
     const Parameter& parameter = model->parameters[index];
+    if (parameter.kind == Kind::table) {
+        const auto grid = std::make_shared<const ResidualGrid>(read_residual(option));
+        for (const auto& [given, numbers] : grid->parameters) set(given, numbers);
+        tables.resize(values.size());
+        tables[index] = grid;
+        return;
+    }
     if (parameter.kind != Kind::choice)
         throw UsageError(fmt::format("`{}` is a number, not \"{}\"", name, option));
     const auto found = std::ranges::find(parameter.options, option, &Option::name);
@@ -116,7 +125,14 @@ std::size_t Lobe::channels() const
 {
     std::size_t count = weight.size();
     for (const auto& numbers : values) count = std::max(count, numbers.size());
+    for (const auto& grid : tables)
+        if (grid) count = std::max(count, grid->channels);
     return count;
+}
+
+std::shared_ptr<const ResidualGrid> Lobe::table(std::size_t parameter) const
+{
+    return parameter < tables.size() ? tables[parameter] : nullptr;
 }
 
 double Lobe::number(std::size_t parameter, std::size_t channel) const
@@ -152,6 +168,11 @@ std::size_t Material::channels() const
 {
     std::size_t count = 1;
     for (const Lobe& lobe : lobes) count = std::max(count, lobe.channels());
+    for (const Lobe& lobe : lobes)
+        for (const auto& grid : lobe.tables)
+            if (grid && grid->channels != 1 && grid->channels != count)
+                throw UsageError(fmt::format("{} has {} channels where the material has {}",
+                                             grid->name, grid->channels, count));
     for (const Lobe& lobe : lobes)
         for (std::size_t k = 0; k <= lobe.values.size(); ++k) {
             const auto& numbers = k < lobe.values.size() ? lobe.values[k] : lobe.weight;

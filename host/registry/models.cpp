@@ -24,6 +24,8 @@ struct Builder {
 #define COLOR(id, name, unit, least, greatest, preset, doc) \
     models.back().parameters.push_back(                     \
         {Kind::color, #name, unit, least, greatest, preset, doc, {}});
+#define TABLE(id, name, doc) \
+    models.back().parameters.push_back({Kind::table, #name, "1", 0, 0, 0, doc, {}});
 #define CHOICE(id, name, preset, doc)                 \
     {                                                 \
         const std::string_view preset_name = #preset; \

@@ -45,7 +45,7 @@ std::vector<std::string> known_names(const Quantity& quantity, const std::vector
     const auto prefixes = lobe_prefixes(lobes);
     for (std::size_t part = 0; part < lobes.size(); ++part) {
         for (const Parameter& parameter : lobes[part].model->parameters)
-            if (parameter.kind != Kind::choice)
+            if (parameter.is_number())
                 names.push_back(prefixes[part] + std::string(parameter.name));
         for (const Both& both : lobes[part].model->both)
             names.push_back(prefixes[part] + std::string(both.alias));

@@ -13,6 +13,19 @@
 namespace gonio {
 namespace {
 
+bool is_table(const Model& model, std::string_view name)
+{
+    const std::size_t index = model.index_of(name);
+    return index != Model::npos && model.parameters[index].kind == Kind::table;
+}
+
+std::vector<std::string_view> names_of(const Model& model)
+{
+    std::vector<std::string_view> names;
+    for (const Parameter& parameter : model.parameters) names.push_back(parameter.name);
+    return names;
+}
+
 /// Sets parameters of one lobe, each once.
 class LobeReader {
 public:
@@ -62,6 +75,8 @@ private:
         const auto both = std::ranges::find(model.both, value.name(), &Both::alias);
         if (both != model.both.end())
             names = {both->first, both->second};
+        else if (is_table(model, value.name()))
+            names = names_of(model);  // its file gives the other parameters too
         else if (value.name() != "weight" && model.index_of(value.name()) == Model::npos)
             located(value.where_key(), [&] { lobe_.set(value.name(), std::vector{0.0}); });
         for (const auto name : names) {

@@ -35,6 +35,12 @@ void set_number(Lobe& lobe, std::size_t index, double number)
                                      lobe.model->parameters[index].greatest)};
 }
 
+void set_residual(Lobe& lobe, std::size_t index, Spacing spacing)
+{
+    lobe.tables.resize(lobe.values.size());
+    lobe.tables[index] = verification_residual(spacing, 1);
+}
+
 /// Angles of a grid axis, ascending and distinct.
 std::vector<double> sorted(std::vector<double> values)
 {
@@ -98,6 +104,23 @@ std::vector<Lobe> all_variants(const Model& model)
     return all;
 }
 
+std::shared_ptr<const ResidualGrid> verification_residual(Spacing spacing, std::size_t channels)
+{
+    const bool merl = spacing == Spacing::merl;
+    const Grid grid =
+        rusinkiewicz_grid(24, 16, 30, merl ? Samples::centre : Samples::node, spacing);
+    Table table;
+    table.header.quantity = residual_quantity;
+    table.header.axes = grid.axes;
+    Generator random(20090101);
+    for (std::size_t c = 0; c < channels; ++c) {
+        table.header.channels.push_back(std::string(1, static_cast<char>('a' + c)));
+        auto& plane = table.values.emplace_back(table.header.cells());
+        for (double& value : plane) value = uniform(random, -1, 1);
+    }
+    return std::make_shared<const ResidualGrid>(residual_of(table, "noise"));
+}
+
 std::vector<Material> verification_materials(const Model& model, bool quick)
 {
     Generator random(20220301);
@@ -106,7 +129,7 @@ std::vector<Material> verification_materials(const Model& model, bool quick)
     for (const Lobe& variant : quick ? single_variants(model) : all_variants(model)) {
         all.push_back({std::string(model.id), {variant}});
         for (std::size_t k = 0; k < model.parameters.size(); ++k) {
-            if (model.parameters[k].kind == Kind::choice) continue;
+            if (!model.parameters[k].is_number()) continue;
             for (const double end : {model.parameters[k].least, model.parameters[k].greatest}) {
                 all.push_back({std::string(model.id), {variant}});
                 set_number(all.back().lobes[0], k, end);
@@ -116,8 +139,10 @@ std::vector<Material> verification_materials(const Model& model, bool quick)
             all.push_back({std::string(model.id), {variant}});
             Lobe& lobe = all.back().lobes[0];
             for (std::size_t k = 0; k < model.parameters.size(); ++k)
-                if (model.parameters[k].kind != Kind::choice)
+                if (model.parameters[k].is_number())
                     set_number(lobe, k, random_number(random, model.parameters[k]));
+                else if (model.parameters[k].kind == Kind::table && n % 2 == 0)
+                    set_residual(lobe, k, n % 4 == 0 ? Spacing::merl : Spacing::linear);
             // Every other one isotropic, so that the program without a tangent frame is verified
             // too.
             for (const Both& both : model.both)
@@ -187,6 +212,9 @@ std::string parameter_text(const Lobe& lobe)
             text +=
                 fmt::format("{} = {}", parameter.name,
                             parameter.options[static_cast<std::size_t>(lobe.values[k][0])].name);
+        else if (parameter.kind == Kind::table)
+            text += fmt::format("{} = {}", parameter.name,
+                                lobe.table(k) ? lobe.table(k)->name : "none");
         else
             text += fmt::format("{} = {:.6g}", parameter.name, lobe.values[k][0]);
     }

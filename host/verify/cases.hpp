@@ -16,6 +16,9 @@ std::vector<Lobe> single_variants(const Model& model);
 /// With the defaults of numbers, every combination of options.
 std::vector<Lobe> all_variants(const Model& model);
 
+/// A residual of noise, -1 to 1, for parameters of kind TABLE.
+std::shared_ptr<const ResidualGrid> verification_residual(Spacing spacing, std::size_t channels);
+
 /// Every combination of options (quick: every option), each with the defaults, every parameter at
 /// both ends of its range, and random sets.
 std::vector<Material> verification_materials(const Model& model, bool quick);

@@ -6,32 +6,39 @@
 #include <cstddef>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gonio/model.hpp"
+#include "gonio/residual.hpp"
 
 namespace gonio {
 
 inline constexpr std::size_t max_channels = 4;
 
 /// One model with its parameters. values[k] belongs to model->parameters[k]: one number, for a
-/// color one number or one per channel, for a choice the number of the option. Numbers are in the
-/// registry's units (angles in degrees).
+/// color one number or one per channel, for a choice the number of the option, for a table 0.
+/// Numbers are in the registry's units (angles in degrees).
 struct Lobe {
     const Model* model = nullptr;
     std::vector<std::vector<double>> values;
     std::vector<double> weight = {1.0};
+    /// Of parameter k if that is a table; empty, or nullptr, where no file was read.
+    std::vector<std::shared_ptr<const ResidualGrid>> tables = {};
 
-    /// Sets a parameter, both parameters of a common name, or a choice ("weight" sets the weight).
-    /// Throws UsageError that names the allowed range and the nearest name.
+    /// Sets a parameter, both parameters of a common name, or a choice ("weight" sets the weight);
+    /// a table from the file of that name, and the parameters that the file gives. Throws
+    /// UsageError that names the allowed range and the nearest name, and as read_residual().
     void set(std::string_view name, const std::vector<double>& numbers);
     void set(std::string_view name, std::string_view option);
 
     unsigned traits() const;  ///< of the model and its chosen options
     bool isotropic() const;
     std::size_t channels() const;
+    /// The grid of a parameter, or nullptr.
+    std::shared_ptr<const ResidualGrid> table(std::size_t parameter) const;
     /// The number that a parameter has in a channel, angles in radians.
     double number(std::size_t parameter, std::size_t channel) const;
 };

@@ -27,8 +27,9 @@ struct Option {
     std::string_view doc;
 };
 
-/// How many numbers a parameter has: one, one per channel, or the number of an option.
-enum class Kind { scalar, color, choice };
+/// How many numbers a parameter has: one, or one per channel; a choice has a name of an option, a
+/// table that of a file.
+enum class Kind { scalar, color, choice, table };
 
 struct Parameter {
     Kind kind;
@@ -38,6 +39,8 @@ struct Parameter {
     double preset = 0;  ///< the default; for a choice the number of the option
     std::string_view doc;
     std::vector<Option> options;  ///< of a choice
+
+    bool is_number() const { return kind == Kind::scalar || kind == Kind::color; }
 };
 
 /// One name that sets two parameters: alpha for alpha_x and alpha_y. A material is isotropic if

@@ -8,6 +8,7 @@
 #include "core/microfacet.cl"
 #include "core/power.cl"
 #include "directions/directions.cl"
+#include "gonio/shared/residual_fields.h"
 
 #ifndef CHANNELS
 #define CHANNELS 1
@@ -26,6 +27,7 @@
 #define MODEL(id, title, citation, traits) typedef struct {
 #define SCALAR(id, name, unit, least, greatest, preset, doc) float name;
 #define COLOR(id, name, unit, least, greatest, preset, doc) float name[CHANNELS];
+#define TABLE(id, name, doc) global const float* name;
 #define CHOICE(id, name, preset, doc) int name;
 #define END_MODEL(id) \
     }                 \
@@ -41,6 +43,9 @@
 #define SCALAR(id, name, unit, least, greatest, preset, doc) p->name = *(*values)++;
 #define COLOR(id, name, unit, least, greatest, preset, doc) \
     FOR_CHANNELS(c) p->name[c] = *(*values)++;
+#define TABLE(id, name, doc) \
+    p->name = *values;             \
+    *values += (int)(*values)[residual_size];
 #define CHOICE(id, name, preset, doc) p->name = *(*choices)++;
 #define END_MODEL(id) }
 #include "gonio/shared/models.inc"

@@ -25,6 +25,7 @@ typedef int mask_t;  ///< also the integer of the same width
 #define bits_of as_int
 #define as_real as_float
 #define real_of convert_float
+#define int_of convert_int
 static inline real choose(mask_t mask, real yes, real no)
 {
     return mask ? yes : no;
@@ -41,6 +42,10 @@ static inline real reversed(real value)
 {
     return value;
 }
+static inline real gather(global const float* from, mask_t index)
+{
+    return from[index];
+}
 #else
 typedef JOIN(float, WIDTH) real;
 typedef JOIN(int, WIDTH) mask_t;
@@ -49,6 +54,7 @@ typedef JOIN(int, WIDTH) mask_t;
 #define bits_of JOIN(as_int, WIDTH)
 #define as_real JOIN(as_float, WIDTH)
 #define real_of JOIN(convert_float, WIDTH)
+#define int_of JOIN(convert_int, WIDTH)
 static inline real choose(mask_t mask, real yes, real no)
 {
     return select(no, yes, mask);
@@ -60,6 +66,15 @@ static inline real load(global const float* from)
 static inline void store(real value, global float* to)
 {
     JOIN(vstore, WIDTH)(value, 0, to);
+}
+/// from[index], lane by lane
+static inline real gather(global const float* from, mask_t index)
+{
+    int at[WIDTH];
+    float values[WIDTH];
+    JOIN(vstore, WIDTH)(index, 0, at);
+    for (int k = 0; k < WIDTH; ++k) values[k] = from[at[k]];
+    return JOIN(vload, WIDTH)(0, values);
 }
 #if WIDTH == 2
 static inline real reversed(real value)

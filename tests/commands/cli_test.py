@@ -69,7 +69,7 @@ class Cli(unittest.TestCase):
 
     def test_help_of_every_verb(self):
         listing = self.gonio("--help")
-        verbs = "devices models eval table run photon info lookup verify"
+        verbs = "devices models eval table run photon info lookup compress verify"
         for verb in verbs.split():
             self.assertIn(verb, listing)
             self.assertIn("Usage", self.gonio(verb, "--help"))
@@ -195,6 +195,34 @@ class Cli(unittest.TestCase):
             for a in (0.1, 0.2, 0.4)
         ]
         self.assertEqual(values, sorted(values, reverse=True))
+
+    def test_compress(self):
+        grid = ["--grid", "30x30x60", "--kind", "rusinkiewicz", "--samples", "node"]
+        self.gonio("table", "beckmann", "--f0", "0.9,0.6,0.3", *grid, "-o", "t.npy")
+        rows = "30,0,30,180\n5,10,40,150\n"
+        for name, least in (("r.exr", 3), ("r.npy", 0.99)):
+            report = json.loads(self.gonio("compress", "t.npy", "-o", name, "--json"))
+            self.assertLessEqual(report["largest_relative_error"], 1e-3)
+            self.assertGreater(report["ratio"], least)
+            self.assertIn("root mean square", self.gonio("compress", "t.npy", "-o", name))
+            words = ["lebedev", "--residual", name, "--json"]
+            for row in json.loads(self.gonio("eval", *words, text=rows))["rows"]:
+                for device, reference in zip(row["device"], row["reference"]):
+                    self.assertAlmostEqual(device, reference, delta=5e-5 * reference)
+        self.gonio("table", "lebedev", "--residual", "r.exr", "--grid", "8x8x16", "-o", "a.exr")
+        self.assertIn("r.exr", self.gonio("info", "a.exr"))
+        self.assertIn("log(f / lobe)", self.gonio("info", "r.exr"))
+
+    def test_compress_and_residual_refuse_what_they_cannot_read(self):
+        self.gonio("table", "ggx", "--grid", "8x8x16", "-o", "a.exr")
+        (self.at / "text.csv").write_text("no table\n")
+        for name in ("missing.exr", "text.csv", "a.exr", "."):
+            for words in ("compress {} -o b.exr", "eval lebedev --residual {}"):
+                message = self.gonio(*words.format(name).split(), text="30,0,30,180\n", code=2)
+                self.assertIn(f"gonio: {name}: ", message)
+                self.assertIn("a residual is a table over theta_h, theta_d, phi_d", message)
+        self.assertIn(".npy", self.gonio("compress", "a.exr", "-o", "b.csv", code=2))
+        self.assertFalse((self.at / "b.exr").exists())
 
     def test_the_same_request_gives_the_same_bytes(self):
         for name, width in (("a.exr", "1"), ("b.exr", "16")):

@@ -55,6 +55,10 @@ Material coloured(const Model& model)
     Material material{std::string(model.id), {default_lobe(model.id)}};
     for (std::size_t k = 0; k < model.parameters.size(); ++k) {
         const Parameter& parameter = model.parameters[k];
+        if (parameter.kind == Kind::table) {
+            material.lobes[0].tables.resize(model.parameters.size());
+            material.lobes[0].tables[k] = verification_residual(Spacing::merl, 3);
+        }
         if (parameter.kind != Kind::color) continue;
         const double span = std::min(parameter.greatest, parameter.preset + 1) - parameter.least;
         material.lobes[0].values[k] = {parameter.least + 0.3 * span, parameter.least + 0.5 * span,

@@ -129,15 +129,18 @@ TEST(Lookup, FullCirclesRepeat)
     EXPECT_NEAR(at(shifted, 181, cubic), sine(181), 1e-5);
 }
 
-TEST(Lookup, HalfCirclesAreMirroredOrReciprocal)
+TEST(Lookup, HalfAndQuarterCirclesAreMirroredOrReciprocal)
 {
     for (const auto samples : {Samples::centre, Samples::node}) {
         const auto mirrored = sampled(axis_from("delta_phi", 37, 0, 180, samples), cosine);
         const auto reciprocal = sampled(axis_from("phi_d", 37, 0, 180, samples),
                                         [](double phi) { return sine(2 * phi); });
+        const auto quarter = sampled(axis_from("phi_d", 37, 0, 90, samples),
+                                     [](double phi) { return cosine(2 * phi); });
         for (double phi = -400; phi < 800; phi += 7.3) {
             EXPECT_NEAR(at(mirrored, phi, cubic), cosine(phi), 2e-5) << phi;
             EXPECT_NEAR(at(reciprocal, phi, cubic), sine(2 * phi), 3e-4) << phi;
+            EXPECT_NEAR(at(quarter, phi, cubic), cosine(2 * phi), 2e-5) << phi;
         }
     }
 }

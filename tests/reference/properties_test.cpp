@@ -47,8 +47,7 @@ double any_value(const Parameter& parameter, std::mt19937& random)
 Lobe with_any_parameters(Lobe lobe, std::mt19937& random)
 {
     for (const Parameter& parameter : lobe.model->parameters)
-        if (parameter.kind != Kind::choice)
-            lobe.set(parameter.name, {any_value(parameter, random)});
+        if (parameter.is_number()) lobe.set(parameter.name, {any_value(parameter, random)});
     return lobe;
 }
 

@@ -38,7 +38,7 @@ TEST(ParameterLimits, TheNextNumberOutsideIsRefusedWithTheRange)
 {
     for (const Model& model : models())
         for (const Parameter& parameter : model.parameters) {
-            if (parameter.kind == Kind::choice) continue;
+            if (!parameter.is_number()) continue;
             SCOPED_TRACE(fmt::format("{} {}", model.id, parameter.name));
             Lobe lobe = default_lobe(model.id);
             for (const double end : {parameter.least, parameter.greatest})
@@ -72,7 +72,7 @@ std::vector<Lobe> at_ends(const Lobe& form)
 {
     std::vector<std::size_t> numbers;
     for (std::size_t k = 0; k < form.values.size(); ++k)
-        if (form.model->parameters[k].kind != Kind::choice) numbers.push_back(k);
+        if (form.model->parameters[k].is_number()) numbers.push_back(k);
     std::vector<Lobe> all;
     for (std::size_t mask = 0; mask < std::size_t{1} << numbers.size(); ++mask) {
         all.push_back(form);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Parameters and sweeps that are wrong: each message, and the place that it points at (the @).
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "scene/scene_fixtures.hpp"
 
@@ -22,6 +22,19 @@ TEST(BadParameter, HasAModelParameterOrOptionThatIsUnknown)
               "`fresnel` is a choice by name, not a number");
     EXPECT_EQ(bad_material("lobes = [ { model = @\"lambrt\" } ]"),
               "there is no model `lambrt`; did you mean `lambert`?");
+}
+
+TEST(BadParameter, IsAFileThatCannotBeRead)
+{
+    const std::string lebedev = "model = \"lebedev\"\n[material.parameters]\n";
+    EXPECT_THAT(
+        bad_material(lebedev + "residual = @\"missing.exr\""),
+        testing::AllOf(testing::HasSubstr("missing.exr: "),
+                       testing::HasSubstr("; a residual is a table over theta_h, theta_d")));
+    EXPECT_EQ(bad_material(lebedev + "residual = @1"),
+              "`residual` is read from a file, not a number");
+    EXPECT_EQ(bad_material(lebedev + "k_d = 0.1\n@residual = \"missing.exr\""),
+              "`k_d` and `residual` both set `k_d`");
 }
 
 TEST(BadParameter, HasANumberOutOfRange)
