@@ -47,7 +47,7 @@ static inline void launch(packet* p, supply* from, const source* light, const sc
     }
     const word offset = load_words(offsets);
     const mask_t starts = smaller(offset, (word)(from->count));
-    stream random = photon_stream(from->first, offset, from->seed);
+    stream random = numbered_stream(from->first, offset, from->seed);
     direction u = {(real)(light->sine), (real)(R(0.0)), (real)(light->cosine)};
     word weight = (word)(light->weight);
 #if DIFFUSE_SOURCE

@@ -4,7 +4,7 @@
 #ifndef GONIO_PHOTON_PHASE
 #define GONIO_PHOTON_PHASE
 #include "core/math.cl"
-#include "photon/random.cl"
+#include "core/random.cl"
 
 #ifndef TWO_TERMS
 #define TWO_TERMS 0
@@ -70,30 +70,6 @@ static inline polar scattering_angle(const phase_function* phase, real u)
     at.sine = choose(is_other, other.sine, at.sine);
 #endif
     return at;
-}
-
-typedef struct {
-    real cosine, sine;
-} azimuth;
-
-/// An even angle: the upper bits choose one within 45 degrees of an axis, the lowest two the axis.
-/// The polynomials' errors are below 1e-7.
-static inline azimuth even_azimuth(word bits)
-{
-    const real angle = (uniform_of(bits) - R(0.5)) * (R(0.5) * PI);
-    const real z = square(angle);
-    real s = (real)(R(-1.9515295891e-4));
-    s = fma(s, z, (real)(R(8.3321608736e-3)));
-    s = fma(s, z, (real)(R(-1.6666654611e-1)));
-    s = fma(s * z, angle, angle);
-    real c = (real)(R(2.443315711809948e-5));
-    c = fma(c, z, (real)(R(-1.388731625493765e-3)));
-    c = fma(c, z, (real)(R(4.166664568298827e-2)));
-    c = fma(c * z, z, fma((real)(R(-0.5)), z, (real)(R(1.0))));
-    const mask_t swapped = -bits_of(bits & 1), sign = bits_of((bits & 2) << 30);
-    const azimuth result = {as_real(bits_of(choose(swapped, s, c)) ^ sign),
-                            as_real(bits_of(choose(swapped, c, s)) ^ sign)};
-    return result;
 }
 
 typedef struct {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The photons' random numbers: published answers, 64-bit photon numbers, every uniform.
+// Random numbers of photons and samples: published answers, 64-bit numbers, every uniform.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,13 +18,13 @@ std::vector<std::array<std::uint32_t, 6>> streams(std::uint64_t first, std::uint
 {
     const Device device;
     Device::State& state = device.state();
-    const std::string text = R"(#include "photon/random.cl"
+    const std::string text = R"(#include "core/random.cl"
 kernel void draw(global uint *out, const ulong first, const ulong seed)
 {
     uint lanes[6][WIDTH], offsets[WIDTH];
     const uint at = (uint)get_global_id(0) * WIDTH;
     for (uint i = 0; i < WIDTH; ++i) offsets[i] = at + i;
-    stream s = photon_stream(first, load_words(offsets), seed);
+    stream s = numbered_stream(first, load_words(offsets), seed);
     store_words(s.a, lanes[0]);
     store_words(s.b, lanes[1]);
     store_words(s.c, lanes[2]);
@@ -35,7 +35,7 @@ kernel void draw(global uint *out, const ulong first, const ulong seed)
         for (uint k = 0; k < 6; ++k) out[(at + i) * 6 + k] = lanes[k][i];
 }
 )";
-    cl::Kernel kernel(build_program(state, text, "photon/random.cl", {}, width), "draw");
+    cl::Kernel kernel(build_program(state, text, "core/random.cl", {}, width), "draw");
     std::vector<std::array<std::uint32_t, 6>> result(count);
     const cl::Buffer out(state.context, CL_MEM_WRITE_ONLY, count * sizeof result[0]);
     kernel.setArg(0, out);
@@ -63,7 +63,7 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
 }
 
 /// The known answers of Random123's kat_vectors for philox4x32 with 10 rounds.
-TEST(PhotonRandom, ReferenceGivesThePublishedAnswers)
+TEST(RandomNumbers, ReferenceGivesThePublishedAnswers)
 {
     using Block = std::array<std::uint32_t, 4>;
     EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}),
@@ -74,7 +74,7 @@ TEST(PhotonRandom, ReferenceGivesThePublishedAnswers)
               (Block{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
 }
 
-TEST(PhotonRandom, SeedsEveryPhotonByItsNumber)
+TEST(RandomNumbers, SeedsEveryPhotonByItsNumber)
 {
     constexpr std::uint64_t seed = 0x0123456789abcdef;
     // 10^12, and across the end of the lower 32 bits
@@ -97,7 +97,7 @@ TEST(PhotonRandom, SeedsEveryPhotonByItsNumber)
 }
 
 /// xoshiro128++ 1.0, Blackman and Vigna: the second word of a state, by their code's steps.
-TEST(PhotonRandom, StepsAsPublished)
+TEST(RandomNumbers, StepsAsPublished)
 {
     const auto rotl = [](std::uint32_t x, int k) { return (x << k) | (x >> (32 - k)); };
     for (const auto& words : streams(42, 16, 1, 16)) {
@@ -113,7 +113,7 @@ TEST(PhotonRandom, StepsAsPublished)
     }
 }
 
-TEST(PhotonRandom, UniformsAreNeverZeroOrOne)
+TEST(RandomNumbers, UniformsAreNeverZeroOrOne)
 {
     // ((bits >> 8) | 1) 2^-24 for all bits: odd numbers below 2^24 are exact in float.
     for (std::uint32_t k = 1; k < (1U << 24); k += 2) {
