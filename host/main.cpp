@@ -39,6 +39,7 @@ int parse(int count, char** words)
     gonio::add_devices(app);
     gonio::add_models(app);
     gonio::add_eval(app);
+    gonio::add_sample(app);
     gonio::add_table(app);
     gonio::add_run(app);
     gonio::add_photon(app);

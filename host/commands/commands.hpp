@@ -23,6 +23,7 @@ struct DeviceOptions {
 void add_devices(CLI::App& app);
 void add_models(CLI::App& app);
 void add_eval(CLI::App& app);
+void add_sample(CLI::App& app);
 void add_table(CLI::App& app);
 void add_run(CLI::App& app);
 void add_compress(CLI::App& app);

@@ -42,6 +42,7 @@ nlohmann::ordered_json json_of(const Model& model)
                                 {"citation", model.citation},
                                 {"reciprocal", (model.traits & ONE_WAY) == 0},
                                 {"measure", (model.traits & VALUE) != 0 ? "value" : "brdf"},
+                                {"sampled", (model.traits & SAMPLED) != 0},
                                 {"notes", nlohmann::ordered_json::array()},
                                 {"parameters", nlohmann::ordered_json::array()}};
     for (const std::string_view note : model.notes) json["notes"].push_back(note);
@@ -88,6 +89,7 @@ void print(const Model& model)
                (model.traits & VALUE) != 0 ? "prints a value that contains cos theta_i: quantity "
                                              "brdf is that value divided by cos theta_i"
                                            : "a BRDF in 1/sr");
+    if ((model.traits & SAMPLED) != 0) fmt::print("`gonio sample` draws viewers for it.\n");
     for (const std::string_view note : model.notes) fmt::print("{}\n", note);
     for (const Alias& alias : aliases())
         if (alias.model == model.id)

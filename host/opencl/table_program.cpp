@@ -80,6 +80,13 @@ cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool i
             "albedo"};
 }
 
+cl::Kernel sampling_kernel(Device::State& device, const Material& material, const char* name)
+{
+    return {build_program(device, preamble(material, "directions/offset.cl"), "sample.cl",
+                          {fmt::format("CHANNELS={}", material.channels())}, device.width),
+            name};
+}
+
 std::vector<float> parameter_values(const Material& material)
 {
     const std::size_t channels = material.channels();

@@ -26,6 +26,9 @@ cl::Kernel table_kernel(Device::State& device, const Material& material,
 /// Builds kernel `albedo`, for BRDFs, likewise; isotropic if all materials are that it is used for.
 cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool isotropic);
 
+/// Builds kernel `sample` or `density` of sample.cl, for BRDFs, likewise.
+cl::Kernel sampling_kernel(Device::State& device, const Material& material, const char* name);
+
 /// Parameters and weight of each lobe, in the order in which core/material.cl reads them.
 std::vector<float> parameter_values(const Material& material);
 

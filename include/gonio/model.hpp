@@ -19,6 +19,7 @@ enum Traits : unsigned {
     CANCELS = 8,      ///< a fit whose terms cancel: accurate but for float32 directions' rounding
     MIRRORED = 16,    ///< a lobe about the mirror direction, not about the normal as half vector
     KINKED = 32,      ///< facets' masking, or cosines, change hands: quadrature splits there
+    SAMPLED = 64,     ///< its kernel file has <id>_sample and <id>_pdf
 };
 
 struct Option {

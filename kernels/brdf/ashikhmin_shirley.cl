@@ -40,3 +40,40 @@ static inline void ashikhmin_shirley_eval(const ashikhmin_shirley_params* p, con
         f[c] = lobe * fresnel_schlick(p->r_s[c], cos_d) + diffuse * base;
     }
 }
+
+/// How many samples are of the diffuse lobe.
+static inline float ashikhmin_shirley_diffuse_share(const ashikhmin_shirley_params* p)
+{
+    float base = R(0.0);
+    FOR_CHANNELS(c) base = max(base, p->r_d[c] * (R(1.0) - p->r_s[c]));
+    return base > R(0.0) ? R(0.5) : R(0.0);
+}
+
+/// Eqs. 6 and 8: half vectors with sqrt((n_u + 1)(n_v + 1))/(2 pi) (n.h)^e, over 4 (l.h); and the
+/// cosine for the diffuse lobe.
+static inline real ashikhmin_shirley_pdf(const ashikhmin_shirley_params* p, const directions* d)
+{
+    const float share = ashikhmin_shirley_diffuse_share(p);
+    const float norm = sqrt((p->n_u + R(1.0)) * (p->n_v + R(1.0))) * (R(1.0) / (R(8.0) * PI));
+    const real specular = norm * ashikhmin_shirley_power(p, d) / d->mean_cos;
+    return (R(1.0) - share) * specular + share * (R(1.0) / PI) * d->cos_o;
+}
+
+/// Eqs. 9 and 10.
+static inline mirror_offset ashikhmin_shirley_sample(const ashikhmin_shirley_params* p,
+                                                     const fixed_light* l, stream* random)
+{
+    const mask_t is_diffuse =
+        less(uniform_of(next_word(random)), (real)(ashikhmin_shirley_diffuse_share(p)));
+    const mirror_offset diffuse = about_normal(l, random);
+    const real u = uniform_of(next_word(random));
+    half_vector h =
+        stretched_normal((real)(R(1.0)), even_azimuth(next_word(random)),
+                         R(1.0) / sqrt(p->n_u + R(1.0)), R(1.0) / sqrt(p->n_v + R(1.0)));
+    // (n_u + 1) cos^2 phi + (n_v + 1) sin^2 phi is 1 over the squared length.
+    const real length2 = square(h.x) + square(h.y);
+    const real stretch = sqrt(tan2_of_root(u, R(1.0) / length2) / length2);
+    h.x *= stretch;
+    h.y *= stretch;
+    return choose_offset(is_diffuse, diffuse, reflected(l, h));
+}

@@ -18,3 +18,18 @@ static inline void blinn_phong_eval(const blinn_phong_params* p, const direction
     const real lobe = blinn_phong_norm(p->form, p->exponent) * power_of_cos_h(d, p->exponent);
     FOR_CHANNELS(c) f[c] = p->rho_s[c] * lobe;
 }
+
+/// Half vectors with (n + 1)/(2 pi) (n.h)^n, over 4 (l.h).
+static inline real blinn_phong_pdf(const blinn_phong_params* p, const directions* d)
+{
+    const float norm = (p->exponent + R(1.0)) * (R(1.0) / (R(8.0) * PI));
+    return norm * power_of_cos_h(d, p->exponent) / sqrt(d->cos2_d);
+}
+
+static inline mirror_offset blinn_phong_sample(const blinn_phong_params* p, const fixed_light* l,
+                                               stream* random)
+{
+    const real u = uniform_of(next_word(random));
+    const real slope = sqrt(tan2_of_root(u, (real)(p->exponent + R(1.0))));
+    return reflected(l, stretched_normal(slope, even_azimuth(next_word(random)), R(1.0), R(1.0)));
+}

@@ -34,3 +34,26 @@ static inline void cook_torrance_eval(const cook_torrance_params* p, const direc
     const incidence at = on_facet(d);
     FOR_CHANNELS(c) f[c] = lobe * FACET_REFLECTANCE(cook_torrance, p, c, at);
 }
+
+/// The normals that the light sees in V-shaped grooves, D G1 (l.h)/cos_i, over 4 (l.h). With the
+/// misprint D is exp(-tan theta_h/m^2)/(2 pi m^4 cos^4 theta_h), so that it can be normalised.
+static inline real cook_torrance_pdf(const cook_torrance_params* p, const directions* d)
+{
+    const float m2 = p->m * p->m;
+    const float norm = p->form == cook_torrance_form_as_printed ? R(1.0) / (R(2.0) * PI * m2 * m2)
+                                                                : R(1.0) / (PI * m2);
+    const real distribution = norm * cook_torrance_exponential(p, d) * d->sec2_h * d->sec2_h;
+    return distribution * v_cavity_visible_part(d);
+}
+
+static inline mirror_offset cook_torrance_sample(const cook_torrance_params* p,
+                                                 const fixed_light* l, stream* random)
+{
+    if (p->form != cook_torrance_form_as_printed)
+        return reflected(l, side_of_groove(l, beckmann_normal(p->m, p->m, random), random));
+    // tan theta_h/m^2 is the sum of two exponential variates.
+    const real u = uniform_of(next_word(random)), v = uniform_of(next_word(random));
+    const real slope = -(log_of_positive(u) + log_of_positive(v)) * p->m;
+    const half_vector h = stretched_normal(slope, even_azimuth(next_word(random)), p->m, p->m);
+    return reflected(l, side_of_groove(l, h, random));
+}

@@ -6,3 +6,14 @@ static inline void lambert_eval(const lambert_params* p, const directions* d, re
 {
     FOR_CHANNELS(c) f[c] = (real)(p->rho[c] / PI);
 }
+
+static inline real lambert_pdf(const lambert_params* p, const directions* d)
+{
+    return d->cos_o * (R(1.0) / PI);
+}
+
+static inline mirror_offset lambert_sample(const lambert_params* p, const fixed_light* l,
+                                           stream* random)
+{
+    return about_normal(l, random);
+}

@@ -40,3 +40,30 @@ static inline void torrance_sparrow_eval(const torrance_sparrow_params* p, const
     const incidence at = on_facet(d);
     FOR_CHANNELS(c) f[c] = lobe * FACET_REFLECTANCE(torrance_sparrow, p, c, at);
 }
+
+/// The normals that the light sees, D G1 (l.h)/cos_i, over 4 (l.h).
+static inline real torrance_sparrow_pdf(const torrance_sparrow_params* p, const directions* d)
+{
+    const int is_ggx = p->ndf == torrance_sparrow_ndf_ggx;
+    const real q = stretched_slope2(d, p->alpha_x, p->alpha_y);
+    const real distribution = is_ggx ? ggx_distribution(d, q, p->alpha_x, p->alpha_y)
+                                     : beckmann_distribution(d, q, p->alpha_x, p->alpha_y);
+    if (p->masking == torrance_sparrow_masking_v_cavity)
+        return distribution * v_cavity_visible_part(d);
+    const real p_i = stretched_sin2_i(d, p->alpha_x, p->alpha_y);
+    return R(0.5) * distribution *
+           (is_ggx ? ggx_masking(p_i, d->cos_i) : beckmann_masking(p_i, d->cos_i));
+}
+
+static inline mirror_offset torrance_sparrow_sample(const torrance_sparrow_params* p,
+                                                    const fixed_light* l, stream* random)
+{
+    const float x = p->alpha_x, y = p->alpha_y;
+    const int is_ggx = p->ndf == torrance_sparrow_ndf_ggx;
+    if (p->masking == torrance_sparrow_masking_v_cavity) {
+        const half_vector h = is_ggx ? ggx_normal(x, y, random) : beckmann_normal(x, y, random);
+        return reflected(l, side_of_groove(l, h, random));
+    }
+    return reflected(
+        l, is_ggx ? ggx_visible_normal(l, x, y, random) : beckmann_visible_normal(l, x, y, random));
+}

@@ -3,10 +3,12 @@
 // made from the registry.
 #ifndef GONIO_CORE_LOBE
 #define GONIO_CORE_LOBE
+#include "core/facet_normals.cl"
 #include "core/fresnel.cl"
 #include "core/math.cl"
 #include "core/microfacet.cl"
 #include "core/power.cl"
+#include "core/sampling.cl"
 #include "directions/directions.cl"
 #include "gonio/shared/residual_fields.h"
 

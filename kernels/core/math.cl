@@ -8,6 +8,17 @@
 /// Adding it rounds a number below 2^22 to an integer, which then stands in the low bits.
 #define ROUNDING_SHIFT R(12582912.0)
 
+/// exp(r) - 1 for |r| <= 0.35
+static inline real exp_less_one(real r)
+{
+    real p = (real)(R(0.00139261761199));
+    p = fma(p, r, (real)(R(0.00836317307451)));
+    p = fma(p, r, (real)(R(0.0416665546621)));
+    p = fma(p, r, (real)(R(0.166665770256)));
+    p = fma(p, r, (real)(R(0.5)));
+    return fma(r * r, p, r);
+}
+
 /// exp(-q) for q >= -87, and 0 from q = 87 on, before float32 runs out of normal numbers. Error
 /// below 1.4 ulp for |q| <= 16, 5 ulp beyond.
 static inline real exp_of_negative(real q)
@@ -15,14 +26,18 @@ static inline real exp_of_negative(real q)
     const real shifted = fma(q, (real)(R(-1.44269504088896341)), (real)(ROUNDING_SHIFT));
     const real n = shifted - ROUNDING_SHIFT;
     const real r = fma(n, (real)(R(-0.693147180559945309)), -q);
-    real p = (real)(R(0.00139261761199));
-    p = fma(p, r, (real)(R(0.00836317307451)));
-    p = fma(p, r, (real)(R(0.0416665546621)));
-    p = fma(p, r, (real)(R(0.166665770256)));
-    p = fma(p, r, (real)(R(0.5)));
-    const real fraction = fma(r * r, p, r) + R(1.0);
+    const real fraction = exp_less_one(r) + R(1.0);
     const real result = as_real(bits_of(fraction) + (bits_of(shifted) << 23));
     return choose(less(q, (real)(R(87.0))), result, (real)(R(0.0)));
+}
+
+/// 1 - exp(-q) for 0 <= q <= 87, relatively accurate also where q is small. Error below 1.5
+/// ulp.
+static inline real one_less_exp_of_negative(real q)
+{
+    const real n = fma(q, (real)(R(-1.44269504088896341)), (real)(ROUNDING_SHIFT)) - ROUNDING_SHIFT;
+    const real r = fma(n, (real)(R(-0.693147180559945309)), -q);
+    return choose(less(n, (real)(R(-0.5))), R(1.0) - exp_of_negative(q), -exp_less_one(r));
 }
 
 /// sinh(x) for 0 <= x <= 87. Error below 2 ulp up to 16.
@@ -108,6 +123,33 @@ static inline real scaled_erfc(real x)
     p = fma(p, t, (real)(R(-0.0927638157399)));
     p = fma(p, t, (real)(R(1.2769783912)));
     return p / (R(1.0) + R(2.0) * x);
+}
+
+/// The x with erfc(-x) = s for 2^-24 <= s <= 2 - 2^-23, in two pieces as Giles, Approximating the
+/// erfinv function, GPU Computing Gems 2, 2012, has them. Error below 9 ulp.
+static inline real inverse_of_erfc(real s)
+{
+    const real w = -log_of_positive(s * (R(2.0) - s));
+    const real t = w - R(2.5);
+    real p = (real)(R(2.26059777e-8));
+    p = fma(p, t, (real)(R(3.42224709e-7)));
+    p = fma(p, t, (real)(R(-3.45477951e-6)));
+    p = fma(p, t, (real)(R(-4.38034671e-6)));
+    p = fma(p, t, (real)(R(0.00021831298)));
+    p = fma(p, t, (real)(R(-0.00125375888)));
+    p = fma(p, t, (real)(R(-0.00417734652)));
+    p = fma(p, t, (real)(R(0.246640766)));
+    p = fma(p, t, (real)(R(1.50140935)));
+    const real far = sqrt(max(w, (real)(R(5.0)))) - R(3.0);
+    real tail = (real)(R(-0.000177329141));
+    tail = fma(tail, far, (real)(R(0.00119429995)));
+    tail = fma(tail, far, (real)(R(-0.00337861887)));
+    tail = fma(tail, far, (real)(R(0.00575769338)));
+    tail = fma(tail, far, (real)(R(-0.00771292692)));
+    tail = fma(tail, far, (real)(R(0.00944290034)));
+    tail = fma(tail, far, (real)(R(1.00168115)));
+    tail = fma(tail, far, (real)(R(2.83297668)));
+    return choose(less(w, (real)(R(5.0))), p, tail) * (s - R(1.0));
 }
 
 /// The angle in [0, pi/2] whose sine and cosine, both >= 0 and not both 0, have this ratio. Error

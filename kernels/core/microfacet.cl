@@ -68,4 +68,10 @@ static inline real v_cavity_visibility(const directions* d)
     return min(d->sec2_h * open, blocked);
 }
 
+/// G1(l, h) / (4 cos_i) of these grooves: Heitz & d'Eon, CGF 33(4), 2014.
+static inline real v_cavity_visible_part(const directions* d)
+{
+    return min(R(0.25) / d->cos_i, R(0.5) / (d->mean_cos * d->sec2_h));
+}
+
 #endif

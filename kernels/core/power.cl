@@ -18,4 +18,17 @@ static inline real power_of_cos_h(const directions* d, float n)
     return exp_of_negative(R(0.5) * n * log_of_one_plus(d->tan2_h));
 }
 
+/// 1 - cos of the angle whose cosine to the power of n > 0 is u, in (0, 1).
+static inline real one_less_root(real u, real n)
+{
+    return one_less_exp_of_negative(-log_of_positive(u) / n);
+}
+
+/// tan^2 of the angle whose cosine to the power of n > 1/4 is u, in [2^-24, 1).
+static inline real tan2_of_root(real u, real n)
+{
+    const real q = R(-2.0) * log_of_positive(u) / n;
+    return one_less_exp_of_negative(q) / exp_of_negative(q);
+}
+
 #endif

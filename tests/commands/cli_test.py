@@ -69,7 +69,7 @@ class Cli(unittest.TestCase):
 
     def test_help_of_every_verb(self):
         listing = self.gonio("--help")
-        verbs = "devices models eval table run photon info lookup compress verify"
+        verbs = "devices models eval sample table run photon info lookup compress verify"
         for verb in verbs.split():
             self.assertIn(verb, listing)
             self.assertIn("Usage", self.gonio(verb, "--help"))
@@ -130,6 +130,26 @@ class Cli(unittest.TestCase):
             text="30,0,30,180\n",
         ).splitlines()[1]
         self.assertAlmostEqual(float(line.split(",")[4]), 1.14860187, delta=1e-6)
+
+    def test_sample(self):
+        words = ["sample", "ggx", "--alpha_x", "0.1", "--f0", "1,0.5", "-n", "300", "--seed", "7"]
+        lines = self.gonio(*words).splitlines()
+        self.assertEqual(lines[0], "theta_o,phi_o,pdf,weight.R,weight.G")
+        self.assertEqual(len(lines), 301)
+        found = json.loads(self.gonio(*words, "--json"))
+        self.assertEqual(len(found["rows"]), 300)
+        below = [row for row in found["rows"] if row["theta_o"] >= 90]
+        self.assertEqual(len(below), found["below_horizon"])
+        self.assertTrue(all(row["pdf"] == 0 and row["weight"] == [0, 0] for row in below))
+        for channel in 0, 1:
+            mean = sum(row["weight"][channel] for row in found["rows"]) / 300
+            self.assertAlmostEqual(mean, found["directional_albedo"][channel], delta=1e-6)
+        for line, row in zip(lines[1:], found["rows"]):
+            self.assertEqual(float(line.split(",")[0]), row["theta_o"])
+        wrong = self.gonio("sample", "oren_nayar", code=2)
+        self.assertIn("torrance_sparrow", wrong)
+        self.gonio("sample", "lambert", "--theta_i", "90", code=2)
+        self.gonio("sample", "lambert", "-n", "0", code=2)
 
     def test_table_and_info(self):
         for name in ("a.exr", "a.npy", "a.csv"):

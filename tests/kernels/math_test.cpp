@@ -57,6 +57,22 @@ double hyperbolic_sine(double x, double)
 {
     return std::sinh(x);
 }
+double one_less_exp(double x, double)
+{
+    return -std::expm1(-x);
+}
+/// The x with erfc(-x) = s, by Newton's method from the middle: erfc is convex from there to either
+/// end.
+double inverse_of_erfc(double s, double)
+{
+    if (s > 1) return -inverse_of_erfc(2 - s, 0);
+    double x = 0, step = 1;
+    while (std::abs(step) > 1e-12 * std::abs(x)) {
+        step = (std::erfc(-x) - s) * std::exp(x * x) * std::sqrt(std::numbers::pi) / 2;
+        x -= step;
+    }
+    return x;
+}
 double rest_of_circle(double x)
 {
     return std::sqrt((1 - x) * (1 + x));
@@ -78,6 +94,9 @@ const Case cases[] = {
     {"LogOfCosine", "log_of_cosine(R(1.0) - x, x)", log_of_one_minus, 1e-30F, 0.9999999F, nothing,
      2.5},
     {"SinhUpTo16", "hyperbolic_sine(x)", hyperbolic_sine, 1e-9F, 16.0F, nothing, 2},
+    {"OneLessExp", "one_less_exp_of_negative(x)", one_less_exp, 1e-30F, 87.0F, nothing, 1.5},
+    {"InverseOfErfcBelow", "inverse_of_erfc(x)", inverse_of_erfc, 5.9604645e-8F, 0.99F, nothing, 9},
+    {"InverseOfErfcAbove", "inverse_of_erfc(x)", inverse_of_erfc, 1.01F, 1.9999999F, nothing, 9},
     {"ScaledErfc", "scaled_erfc(x)", scaled_erfc, 1e-9F, 1e9F, nothing, 5},
     {"AngleOfSine", "angle_of(x, y)", angle_of, 1e-30F, 1.0F, rest_of_circle, 3},
     {"AngleOfTangent", "angle_of(x, y)", angle_of, 1e-30F, 1e30F, one, 3},
