@@ -3,8 +3,12 @@
 // their ranges; and that every width gives the same bits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numbers>
+#include <string_view>
 
 #include "kernels/kernel_fixtures.hpp"
 
@@ -109,10 +113,24 @@ protected:
         for (const float number : x)
             y.push_back(static_cast<float>(GetParam().y_of(static_cast<double>(number))));
     }
+    static void SetUpTestSuite()
+    {
+        std::vector<std::string> expressions;
+        for (const Case& each : cases) expressions.emplace_back(each.expression);
+        for (const unsigned width : {1U, 2U, 4U, 8U, 16U})
+            functions.emplace(width, DeviceFunctions("core/math.cl", expressions, width));
+    }
+    static void TearDownTestSuite() { functions.clear(); }
+
     std::vector<float> on(unsigned width) const
     {
-        return on_device("core/math.cl", GetParam().expression, x, y, width);
+        const auto which =
+            std::ranges::find(cases, std::string_view(GetParam().name),
+                              [](const Case& each) { return std::string_view(each.name); });
+        return functions.at(width)(static_cast<std::size_t>(which - std::begin(cases)), x, y);
     }
+
+    static inline std::map<unsigned, DeviceFunctions> functions;
 
     std::vector<float> x, y;
 };

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <pty.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -33,11 +34,17 @@ public:
 
     std::FILE* stream() { return stream_.get(); }
 
+    /// Until nothing has come for a while: the system hands bytes over in parts.
     std::string written()
     {
-        std::array<char, 4096> bytes = {};
-        const auto count = ::read(master_, bytes.data(), bytes.size());
-        return {bytes.data(), static_cast<std::size_t>(count)};
+        std::string all;
+        pollfd ready{master_, POLLIN, 0};
+        while (::poll(&ready, 1, 200) > 0) {
+            std::array<char, 4096> bytes = {};
+            const auto count = ::read(master_, bytes.data(), bytes.size());
+            all.append(bytes.data(), static_cast<std::size_t>(count));
+        }
+        return all;
     }
 
 private:
