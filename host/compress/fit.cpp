@@ -119,7 +119,7 @@ Lobe fit_lobe(const Table& table)
         x[0] = std::log(alpha);
         Eigen::NumericalDiff<Misfit> problem(misfit);
         Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Misfit>> solver(problem);
-        solver.parameters.maxfev = 40 * misfit.inputs();
+        solver.parameters.maxfev = Eigen::Index{40} * misfit.inputs();
         solver.minimize(x);
         if (least >= 0 && !(solver.fnorm < least)) continue;
         least = solver.fnorm;

@@ -76,7 +76,7 @@ std::vector<float> node_table(const AlbedoBatch& batch, const Groups& groups, un
                 const AzimuthNode& node = lines[std::min(n, lines.size() - 1)];
                 float* record = table.data() + (first + n) * node_fields * width + lane;
                 const auto put = [&](node_field field, double value) {
-                    record[field * width] = high_part(value);
+                    record[std::size_t{field} * width] = high_part(value);
                 };
                 put(node_cos, node.cosine);
                 put(node_sin, node.sine);

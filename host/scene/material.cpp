@@ -44,7 +44,7 @@ std::vector<Lobe> read_components(const Section& material, std::vector<Sweep>& s
 /// One number or one per channel of the material.
 std::vector<double> read_ambient(const Value& value, std::size_t channels)
 {
-    const auto numbers = value.is_list() ? value.numbers() : std::vector{value.number()};
+    auto numbers = value.is_list() ? value.numbers() : std::vector{value.number()};
     for (const double number : numbers)
         if (!(number >= 0 && number <= 1e6))
             value.fail(fmt::format("`ambient` is {}; allowed is a radiance of 0 to 1e6", number));
