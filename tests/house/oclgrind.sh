@@ -22,4 +22,7 @@ grep -q 'PASSED.* [0-9]* tests' "$scratch/out"
 models=$("$2" models --json | sed -n 's/^ *"id": "\(.*\)",$/\1/p')
 for model in ${models:?}; do
     run --uninitialized "$2" eval "$model" --at - <<<$'30,0,40,180\n0,0,0,0\n90,0,80,10'
+    if "$2" models "$model" --json | grep '"sampled": true' >/dev/null; then
+        run --uninitialized "$2" sample "$model" -n 32
+    fi
 done
