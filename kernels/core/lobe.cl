@@ -46,7 +46,7 @@
 #define COLOR(id, name, unit, least, greatest, preset, doc) \
     FOR_CHANNELS(c) p->name[c] = *(*values)++;
 #define TABLE(id, name, doc) \
-    p->name = *values;             \
+    p->name = *values;       \
     *values += (int)(*values)[residual_size];
 #define CHOICE(id, name, preset, doc) p->name = *(*choices)++;
 #define END_MODEL(id) }
