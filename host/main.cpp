@@ -34,7 +34,7 @@ int parse(int count, char** words)
         "checked against "
         "references in double precision.",
         "gonio"};
-    app.set_version_flag("--version", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT));
+    app.set_version_flag("--version", GONIO_PROGRAM);
     app.require_subcommand(1);
     gonio::add_devices(app);
     gonio::add_models(app);

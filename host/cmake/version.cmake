@@ -12,6 +12,5 @@ endif()
 file(CONFIGURE OUTPUT ${OUTPUT} CONTENT
 "// Written by host/cmake/version.cmake.
 #pragma once
-#define GONIO_VERSION \"${VERSION}\"
-#define GONIO_COMMIT \"${commit}\"
+#define GONIO_PROGRAM \"gonio ${VERSION} (${commit})\"
 ")

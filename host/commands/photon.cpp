@@ -2,15 +2,13 @@
 // gonio photon FILE.mci: runs MCML's input files and writes its .mco files.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
-#include "gonio/errors.hpp"
 #include "output/atomic_file.hpp"
+#include "output/sidecar.hpp"
 #include "photon/bins.hpp"
 #include "photon/mco.hpp"
 #include "plan/interrupt.hpp"
@@ -19,8 +17,6 @@
 
 namespace gonio {
 namespace {
-
-constexpr std::uint64_t batches = 64;  // whose spread tells the standard errors
 
 struct PhotonOptions {
     DeviceOptions device;
@@ -31,29 +27,15 @@ struct PhotonOptions {
 /// All that the bytes of a run's files depend on.
 nlohmann::ordered_json definition(const MciRun& run, std::uint64_t seed)
 {
-    return {{"program", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT)},
-            {"seed", seed},
-            {"input", mco_parameters(run)}};
-}
-
-std::filesystem::path summary_path(const std::filesystem::path& mco)
-{
-    return std::filesystem::path(mco).replace_extension(".json");
+    return {{"program", GONIO_PROGRAM}, {"seed", seed}, {"input", mco_parameters(run)}};
 }
 
 bool is_finished(const std::filesystem::path& mco, const nlohmann::ordered_json& definition)
 {
-    std::ifstream file(summary_path(mco));
+    std::ifstream file(sidecar_path(mco));
     const auto summary = nlohmann::ordered_json::parse(file, nullptr, false);
     return std::filesystem::is_regular_file(mco) && summary.is_object() &&
            summary.value("definition", nlohmann::ordered_json()) == definition;
-}
-
-void write_text(const std::filesystem::path& path, const std::string& text)
-{
-    AtomicFile file(path);
-    file.write(text);
-    file.commit();
 }
 
 /// Parts of the incident light, each with its standard error.
@@ -91,14 +73,13 @@ nlohmann::ordered_json overflows_of(const PhotonTallies& tallies, const PhotonRe
 void simulate(const Device& device, const MciRun& run, std::uint64_t seed,
               const std::filesystem::path& path, Progress& progress)
 {
-    const auto batch = std::bit_floor(std::clamp<std::uint64_t>(run.photons / batches, 2, 1 << 30));
-    PhotonTracer tracer(device, run.medium, {{}, run.tallies, seed, 0, batch});
+    PhotonTracer tracer(device, run.medium, {{}, run.tallies, seed, 0, batch_of(run.photons)});
     tracer.trace(run.photons, [&](std::uint64_t photons) {
         progress.advance(static_cast<double>(photons));
         throw_if_interrupted();
     });
     const PhotonResult result = tracer.result();
-    write_text(path, mco_text(run, result));
+    write_file(path, mco_text(run, result));
     const nlohmann::ordered_json summary{{"definition", definition(run, seed)},
                                          {"budget", budget_of(result)},
                                          {"beyond_the_bins", overflows_of(run.tallies, result)},
@@ -107,7 +88,7 @@ void simulate(const Device& device, const MciRun& run, std::uint64_t seed,
                                            {"driver", device.info().driver},
                                            {"width", device.width()},
                                            {"kernel_seconds", tracer.kernel_seconds()}}}};
-    write_text(summary_path(path), summary.dump(2) + "\n");
+    write_file(sidecar_path(path), summary.dump(2) + "\n");
     // The two parts exclude each other: together they vary less than that.
     const double transmittance_error =
         std::hypot(result.unscattered_transmittance.error, result.diffuse_transmittance.error);
@@ -123,11 +104,7 @@ void photon(const PhotonOptions& options)
     const std::vector<MciRun> runs = load_mci(options.file);
     const Device device = options.device.open();
     catch_interrupts();
-    std::error_code refused;
-    std::filesystem::create_directories(options.directory, refused);
-    if (refused)
-        throw RunError(fmt::format("{}: cannot be made: {}", options.directory, refused.message()));
-    remove_stale_temporaries(options.directory);
+    prepare_directory(options.directory);
     double photons = 0;
     for (const MciRun& run : runs) photons += static_cast<double>(run.photons);
     Progress progress(photons);

@@ -27,11 +27,6 @@ void check_sampled(const Material& material)
                                          lobe.model->id, fmt::join(sampled, ", ")));
 }
 
-double sine_of(const Incidence& light)
-{
-    return std::sqrt((1 - light.cosine) * (1 + light.cosine));
-}
-
 /// A kernel of sample.cl with the arguments that both of them have.
 class SamplingKernel {
 public:
@@ -42,10 +37,11 @@ public:
         check_sampled(material);
         kernel_ = sampling_kernel(device_, material, name);
         parameters_ = input_buffer(device_, parameter_values(material));
-        light_ = input_buffer(
-            device_,
-            {high_part(light.cosine), low_part(light.cosine), high_part(sine_of(light)),
-             high_part(cosine_of_degrees(light.phi)), high_part(sine_of_degrees(light.phi))});
+        light_ =
+            input_buffer(device_, {high_part(light.cosine), low_part(light.cosine),
+                                   high_part(std::sqrt((1 - light.cosine) * (1 + light.cosine))),
+                                   high_part(cosine_of_degrees(light.phi)),
+                                   high_part(sine_of_degrees(light.phi))});
         kernel_.setArg(1, parameters_);
         kernel_.setArg(2, light_);
     }
@@ -119,9 +115,7 @@ std::vector<float> sampling_density(const Device& device, const Material& materi
 try {
     SamplingKernel kernel(device, material, light, "density");
     const std::size_t plane = kernel.plane_of(viewers.size());
-    const double sine = sine_of(light);
-    const glm::dvec3 mirror(-sine * cosine_of_degrees(light.phi),
-                            -sine * sine_of_degrees(light.phi), light.cosine);
+    const glm::dvec3 l = unit_vector(light), mirror(-l.x, -l.y, l.z);
     std::vector<float> offsets(offset_fields * plane);
     for (std::size_t k = 0; k < viewers.size(); ++k) {
         const glm::dvec3 offset = viewers[k] - mirror;

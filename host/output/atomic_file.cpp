@@ -148,4 +148,21 @@ std::vector<std::filesystem::path> remove_stale_temporaries(const std::filesyste
     return removed;
 }
 
+void write_file(const std::filesystem::path& path, std::string_view bytes)
+{
+    AtomicFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void prepare_directory(const std::filesystem::path& directory)
+{
+    std::error_code refused;
+    std::filesystem::create_directories(directory, refused);
+    if (refused)
+        throw RunError(
+            fmt::format("{}: cannot be made: {}", directory.string(), refused.message()));
+    remove_stale_temporaries(directory);
+}
+
 }  // namespace gonio

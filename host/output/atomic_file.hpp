@@ -47,6 +47,12 @@ private:
     std::string failure_;
 };
 
+/// The whole of a file in one step.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Makes a folder if need be, and removes what killed runs left there. Throws RunError.
+void prepare_directory(const std::filesystem::path& directory);
+
 /// Removes the temporaries in `directory` that no running process holds, and returns their paths.
 std::vector<std::filesystem::path> remove_stale_temporaries(const std::filesystem::path& directory);
 

@@ -55,9 +55,7 @@ void Page::save()
         if (status != CAIRO_STATUS_SUCCESS)
             throw RunError(
                 fmt::format("{}: cannot draw: {}", path_.string(), cairo_status_to_string(status)));
-    AtomicFile file(path_);
-    file.write(svg_);
-    file.commit();
+    write_file(path_, svg_);
 }
 
 }  // namespace gonio

@@ -29,9 +29,7 @@ void write_png(const std::filesystem::path& path, std::uint32_t width, std::uint
     if (!png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb.data(), 0, nullptr)) {
         throw RunError(fmt::format("{}: {}", path.string(), image.message));
     }
-    AtomicFile file(path);
-    file.write(bytes.data(), size);
-    file.commit();
+    write_file(path, {bytes.data(), size});
 }
 
 }  // namespace gonio

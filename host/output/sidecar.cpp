@@ -36,9 +36,7 @@ void write_sidecar(const std::filesystem::path& table, const TableHeader& header
     nlohmann::ordered_json json = {
         {"format", format_name}, {"version", format_version}, {"table", to_json(header)}};
     if (!run.empty()) json["run"] = run;
-    AtomicFile file(sidecar_path(table));
-    file.write(text_of(json, 1) + "\n");
-    file.commit();
+    write_file(sidecar_path(table), text_of(json, 1) + "\n");
 }
 
 std::optional<TableHeader> read_sidecar(const std::filesystem::path& table)

@@ -3,6 +3,7 @@
 #include "photon/bins.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -84,6 +85,12 @@ std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quan
             all.push_back({bin.mean / size(row, column), bin.error / size(row, column)});
         }
     return all;
+}
+
+std::uint64_t batch_of(std::uint64_t photons)
+{
+    constexpr std::uint64_t batches = 64;
+    return std::bit_floor(std::clamp<std::uint64_t>(photons / batches, 2, 1 << 30));
 }
 
 double overflow(const PhotonResult& result, const PhotonTallies& tallies)

@@ -2,6 +2,7 @@
 // Which tallies a quantity needs, and what its bins are divided by.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "gonio/photons.hpp"
@@ -17,6 +18,9 @@ PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes
 /// unit says, row-major over the axes; for a number the parts of the budget.
 std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quantity,
                                 const PhotonTallies& tallies);
+
+/// The batch for a given number of photons: a power of two, at least 64 of them.
+std::uint64_t batch_of(std::uint64_t photons);
 
 /// What lies beyond the last bins, of all the incident light.
 double overflow(const PhotonResult& result, const PhotonTallies& tallies);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 
@@ -18,7 +17,6 @@
 namespace gonio {
 namespace {
 
-constexpr std::uint64_t batches = 64;                         // at least, of a number of photons
 constexpr std::uint64_t free_batch = std::uint64_t{1} << 15;  // where no number is given
 constexpr double default_tolerance = 1e-6;
 
@@ -101,12 +99,7 @@ public:
 private:
     std::uint64_t most_photons() const { return light_.budget.photons.value_or(UINT64_MAX); }
 
-    /// A power of two: at least 64 of them in a given number of photons.
-    std::uint64_t batch() const
-    {
-        if (most_ == UINT64_MAX) return free_batch;
-        return std::bit_floor(std::clamp<std::uint64_t>(most_ / batches, 2, 1 << 30));
-    }
+    std::uint64_t batch() const { return most_ == UINT64_MAX ? free_batch : batch_of(most_); }
 
     double time() const { return light_.budget.seconds.value_or(INFINITY); }
 

@@ -2,11 +2,8 @@
 // Makes what is not finished, and keeps the rest.
 #include "plan/batch.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
-#include <system_error>
 
 #include "gonio/errors.hpp"
 #include "output/atomic_file.hpp"
@@ -23,14 +20,7 @@ void prepare_directories(const std::vector<Job>& jobs)
 {
     std::set<std::filesystem::path> directories;
     for (const Job& job : jobs) directories.insert(job.path.parent_path());
-    for (const auto& directory : directories) {
-        std::error_code refused;
-        std::filesystem::create_directories(directory, refused);
-        if (refused)
-            throw RunError(
-                fmt::format("{}: cannot be made: {}", directory.string(), refused.message()));
-        remove_stale_temporaries(directory);
-    }
+    for (const auto& directory : directories) prepare_directory(directory);
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ TableHeader make_header(const Job& job, const TableRequest& request,
         quantity.on_grid() ? material.channel_names() : derived_channels(header.quantity, material);
 
     Attributes attributes;
-    attributes.add("program", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT));
+    attributes.add("program", std::string(GONIO_PROGRAM));
     attributes.add("title", std::string(quantity.title));
     attributes.add("solver", request.solver);
     attributes.add("storage", storage_text(job));

@@ -101,7 +101,7 @@ TableHeader make_light_header(const Job& job, const std::string& material,
     header.channels = channels(light);
     header.single_precision = job.format == "exr";
     Attributes& all = header.attributes;
-    all.emplace_back("program", fmt::format("gonio {} ({})", GONIO_VERSION, GONIO_COMMIT));
+    all.emplace_back("program", std::string(GONIO_PROGRAM));
     all.emplace_back("title", std::string(light.quantity->title));
     all.emplace_back("solver", light.solver);
     all.emplace_back("storage", storage_text(job));

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "grid/angles.hpp"
 #include "opencl/albedo_kernel.hpp"
 #include "plan/interrupt.hpp"
 #include "quadrature/spread.hpp"
@@ -142,6 +143,12 @@ private:
 };
 
 }  // namespace
+
+glm::dvec3 unit_vector(const Incidence& at)
+{
+    const double sine = std::sqrt((1 - at.cosine) * (1 + at.cosine));
+    return {sine * cosine_of_degrees(at.phi), sine * sine_of_degrees(at.phi), at.cosine};
+}
 
 Albedos integrate_albedos(const Device& device, const std::vector<Material>& materials,
                           const std::vector<AlbedoCell>& cells, const AlbedoOptions& options)

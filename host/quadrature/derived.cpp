@@ -21,7 +21,7 @@ bool is_split_sum(const std::string& quantity)
     return quantity.starts_with("dfg");
 }
 
-/// The index of an option of a lobe, by name; false if the lobe has no such choice.
+/// Has the lobe such a choice, and is it another option than this?
 bool has_other_option(const Lobe& lobe, std::string_view choice, std::string_view option)
 {
     const std::size_t index = lobe.model->index_of(choice);
@@ -89,9 +89,8 @@ Albedos specular(const Job& job)
     for (std::size_t c = 0; c < channels; ++c) {
         std::vector<double> values, errors;
         for (const IntegralCell& cell : job.cells) {
-            const double mu = cell.at.cosine;
-            const glm::dvec3 l(std::sqrt((1 - mu) * (1 + mu)), 0, mu);
-            values.push_back(specular_reflectance(job.materials[cell.material], l, c));
+            values.push_back(
+                specular_reflectance(job.materials[cell.material], unit_vector(cell.at), c));
             errors.push_back(values.back() * 0x1p-24);
         }
         all.value.push_back(std::move(values));

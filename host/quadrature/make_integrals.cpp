@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 
@@ -29,9 +28,7 @@ std::optional<double> expected(const Job& job, const IntegralCell& cell)
     if (split_sum)
         for (Lobe& lobe : material.lobes) lobe.set("f0", std::vector{1.0});
     const Reference f = make_reference(material, Measure::brdf);
-    const double sine = std::sqrt((1 - cell.at.cosine) * (1 + cell.at.cosine));
-    const double phi = cell.at.phi * std::numbers::pi / 180;
-    const glm::dvec3 at(sine * std::cos(phi), sine * std::sin(phi), cell.at.cosine);
+    const glm::dvec3 at = unit_vector(cell.at);
     if (quantity == "directional_albedo") return reference::directional_albedo(f, at, 0, tolerance);
     if (split_sum || quantity == "hemispherical_directional_reflectance")
         return reference::hemispherical_directional(f, at, 0, tolerance);

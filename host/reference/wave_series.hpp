@@ -12,27 +12,33 @@ namespace gonio::reference {
 /// 0. Relative error below 1e-10 for g up to 1e8.
 double wave_series(double g, double b);
 
+/// g = (2 pi sigma/lambda cosines)^2, the variance of the phase; members and units as below.
+template <class Surface>
+double phase_variance(const Surface& surface, double sigma, double cosines)
+{
+    const double phase = 2 * std::numbers::pi * sigma / (surface.wavelength / 1000) * cosines;
+    return phase * phase;
+}
+
 /// pi (tau/lambda)^2 W(g, b): what a surface with the members wavelength (nm), tau (um) and a
-/// height deviation of sigma (um) scatters by diffraction, with g = (2 pi sigma/lambda cosines)^2
-/// and b = (pi tau/lambda |l + v|_xy)^2. Where g depends on incidence alone, this integrates to 1 -
-/// e^-g over the plane of direction cosines.
+/// height deviation of sigma (um) scatters by diffraction, with b = (pi tau/lambda |l + v|_xy)^2.
+/// Where g depends on incidence alone, this integrates to 1 - e^-g over the plane of direction
+/// cosines.
 template <class Surface>
 double diffracted(const Surface& surface, double sigma, double cosines, glm::dvec3 l, glm::dvec3 v)
 {
     using std::numbers::pi;
-    const double lambda = surface.wavelength / 1000, lengths = surface.tau / lambda;
-    const double phase = 2 * pi * sigma / lambda * cosines;
+    const double lengths = surface.tau / (surface.wavelength / 1000);
     const double x = l.x + v.x, y = l.y + v.y;
     const double b = pi * pi * lengths * lengths * (x * x + y * y);
-    return pi * lengths * lengths * wave_series(phase * phase, b);
+    return pi * lengths * lengths * wave_series(phase_variance(surface, sigma, cosines), b);
 }
 
 /// e^-g for the same g: what stays in the mirror direction.
 template <class Surface>
 double undiffracted(const Surface& surface, double sigma, double cosines)
 {
-    const double phase = 2 * std::numbers::pi * sigma / (surface.wavelength / 1000) * cosines;
-    return std::exp(-phase * phase);
+    return std::exp(-phase_variance(surface, sigma, cosines));
 }
 
 }  // namespace gonio::reference

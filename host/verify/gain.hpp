@@ -16,9 +16,9 @@ struct Gain {
     std::string where;
 };
 
-/// Over every option of the model, seven values of each number, both ends among them, and n.l from
-/// 1 to 0.01. Reflectances and colours are 1; roughness along x and y is the same, and numbers of
-/// several channels and wavelengths are the default.
+/// Over every option of the model, eight values of each number, its default and both ends among
+/// them, and n.l from 1 to 0.01. Reflectances and colours are 1; roughness along x and y is the
+/// same, and numbers of several channels and wavelengths are the default.
 Gain largest_albedo(const Device& device, const Model& model);
 
 }  // namespace gonio

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "gonio/device.hpp"
@@ -14,6 +15,9 @@ namespace gonio {
 struct Incidence {
     double cosine = 1, phi = 0;
 };
+
+/// In the frame where n is +z and the tangent +x.
+glm::dvec3 unit_vector(const Incidence& at);
 
 /// What is integrated: f cos theta_o over all viewers for a light at the direction, or f cos
 /// theta_i over all lights for a viewer there. They differ where a BRDF is not reciprocal.

@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numbers>
 
+#include "compute/shared_device.hpp"
 #include "reference/albedo.hpp"
 #include "reference/albedo_rows.hpp"
 #include "reference/reference_fixtures.hpp"
@@ -19,18 +19,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// Shared by all tests, so that programs stay built; closed while OpenCL is still there.
-class AlbedoTest : public testing::Test {
+class AlbedoTest : public test::SharedDevice {
 protected:
-    static void SetUpTestSuite() { device() = std::make_unique<Device>("", 8); }
-    static void TearDownTestSuite() { device().reset(); }
-
-    static std::unique_ptr<Device>& device()
-    {
-        static std::unique_ptr<Device> opened;
-        return opened;
-    }
-
     static Albedos at(const std::vector<Material>& materials, const std::vector<double>& mus,
                       const AlbedoOptions& options = {})
     {

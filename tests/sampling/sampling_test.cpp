@@ -8,8 +8,8 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <memory>
 
+#include "compute/shared_device.hpp"
 #include "gonio/errors.hpp"
 #include "reference/reference_fixtures.hpp"
 #include "sampling/sampling_fixtures.hpp"
@@ -39,19 +39,8 @@ double level()
     return -std::expm1(std::log1p(-significance) / static_cast<double>(histograms));
 }
 
-/// The device is shared by all tests, so that programs stay built; closed while OpenCL is still
-/// there.
-class SamplingOfSums : public testing::Test {
+class SamplingOfSums : public test::SharedDevice {
 protected:
-    static void SetUpTestSuite() { device() = std::make_unique<Device>("", 8); }
-    static void TearDownTestSuite() { device().reset(); }
-
-    static std::unique_ptr<Device>& device()
-    {
-        static std::unique_ptr<Device> opened;
-        return opened;
-    }
-
     static void expect_density(const SamplingCase& test)
     {
         const ViewerSamples samples =
