@@ -12,16 +12,14 @@ install(FILES host/cmake/gonioConfig.cmake ${package_version} DESTINATION ${pack
 install(DIRECTORY include/gonio DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-if(TARGET gonio)
-  install(TARGETS gonio)
-  install(FILES host/completion.bash RENAME gonio
-          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-  find_program(HELP2MAN help2man)
-  if(HELP2MAN)
-    add_custom_command(OUTPUT gonio.1 DEPENDS gonio VERBATIM
-      COMMAND ${HELP2MAN} --no-info --name=${PROJECT_DESCRIPTION} --output=gonio.1
-              $<TARGET_FILE:gonio>)
-    add_custom_target(gonio_manual ALL DEPENDS gonio.1)
-    install(FILES ${CMAKE_BINARY_DIR}/gonio.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-  endif()
+install(TARGETS gonio)
+install(FILES host/completion.bash RENAME gonio
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+find_program(HELP2MAN help2man)
+if(HELP2MAN)
+  add_custom_command(OUTPUT gonio.1 DEPENDS gonio VERBATIM
+    COMMAND ${HELP2MAN} --no-info --name=${PROJECT_DESCRIPTION} --output=gonio.1
+            $<TARGET_FILE:gonio>)
+  add_custom_target(gonio_manual ALL DEPENDS gonio.1)
+  install(FILES ${CMAKE_BINARY_DIR}/gonio.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
