@@ -93,6 +93,12 @@ std::string Value::text() const
     return *node_->value<std::string>();
 }
 
+bool Value::flag() const
+{
+    if (!node_->is_boolean()) expected("true or false");
+    return *node_->value<bool>();
+}
+
 std::size_t Value::choice(const std::vector<std::string_view>& words) const
 {
     if (!is_text()) expected(fmt::format("one of \"{}\"", fmt::join(words, "\", \"")));

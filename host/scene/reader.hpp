@@ -44,6 +44,7 @@ public:
     /// A whole number; 1e6 is one too.
     std::uint64_t count(std::uint64_t least, std::uint64_t greatest) const;
     std::string text() const;
+    bool flag() const;  ///< true or false
     /// One of the words; index in `words`.
     std::size_t choice(const std::vector<std::string_view>& words) const;
     std::vector<Value> list() const;

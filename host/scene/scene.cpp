@@ -5,45 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <map>
-#include <system_error>
 
+#include "scene/document.hpp"
 #include "scene/material.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
 namespace {
-
-constexpr std::size_t max_file = std::size_t{16} << 20;
-
-std::string contents(const std::filesystem::path& path)
-{
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    std::string text(max_file + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!file.eof() && file.gcount() == 0)
-        throw UsageError(fmt::format("{}: cannot be read: {}", path.string(),
-                                     std::generic_category().message(errno)));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > max_file)
-        throw UsageError(
-            fmt::format("{}: is larger than 16 MiB, which no scene is", path.string()));
-    return text;
-}
-
-toml::table parse(std::string_view text, std::string_view file)
-{
-    try {
-        return toml::parse(text, file);
-    } catch (const toml::parse_error& fault) {
-        const auto position = fault.source().begin;
-        throw UsageError(fmt::format("{}:{}:{}: not TOML: {}", file, position.line, position.column,
-                                     fault.description()));
-    }
-}
 
 /// Names are unique: the second of a name is refused at its place.
 class Names {
@@ -100,7 +69,7 @@ void warn_of_unused(Scene& scene)
 
 Scene parse_scene(std::string_view text, std::string_view file)
 {
-    const toml::table document = parse(text, file);
+    const toml::table document = parse_document(text, file);
     const Section root(Value(document, "the scene", document.source().begin));
     root.allow({"output", "material", "table"});
     Scene scene;
@@ -123,7 +92,7 @@ Scene parse_scene(std::string_view text, std::string_view file)
 
 Scene load_scene(const std::filesystem::path& path)
 {
-    return parse_scene(contents(path), path.string());
+    return parse_scene(read_document(path), path.string());
 }
 
 }  // namespace gonio

@@ -48,7 +48,8 @@ TEST(BadScene, CannotBeRead)
     EXPECT_EQ(message(missing), missing.string() + ": cannot be read: No such file or directory");
     EXPECT_EQ(message(directory.path()),
               directory.path().string() + ": cannot be read: Is a directory");
-    EXPECT_EQ(message("/dev/zero"), "/dev/zero: is larger than 16 MiB, which no scene is");
+    EXPECT_EQ(message("/dev/zero"),
+              "/dev/zero: is larger than 16 MiB, which no scene and no model is");
 }
 
 TEST(BadScene, AsksForNothing)

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// Combines ladders to sets of parameters and writes spectra into a table.
+#include "skin/skin_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "gonio/colour.hpp"
+#include "version.hpp"
+
+namespace gonio {
+namespace {
+
+std::string with_unit(const SkinParameter& parameter, double value)
+{
+    const bool plain = parameter.unit == "1";
+    return fmt::format("{} {}{}{}", parameter.name, value, plain ? "" : " ",
+                       plain ? "" : parameter.unit);
+}
+
+bool is_ladder(const SkinTask& task, const std::string& parameter)
+{
+    return std::ranges::find(task.ladders, parameter, &SkinLadder::parameter) != task.ladders.end();
+}
+
+using Attributes = std::vector<std::pair<std::string, Attribute>>;
+
+void add_colours(Attributes& all, const std::vector<SkinSpectrum>& spectra)
+{
+    std::vector<double> xyz, linear, lab, angle;
+    const auto append = [](std::vector<double>& to, const glm::dvec3& numbers) {
+        to.insert(to.end(), {numbers.x, numbers.y, numbers.z});
+    };
+    for (const SkinSpectrum& spectrum : spectra) {
+        const auto colour = colour_of(spectrum.wavelengths, spectrum.reflectance);
+        append(xyz, colour.xyz);
+        append(linear, colour.linear);
+        append(lab, colour.lab);
+        angle.push_back(colour.typology_angle);
+    }
+    all.emplace_back("colour.observer", std::string("CIE 1931 2 deg, D65"));
+    all.emplace_back("colour.XYZ", xyz);
+    all.emplace_back("colour.linear_sRGB", linear);
+    all.emplace_back("colour.Lab", lab);
+    all.emplace_back("colour.ITA", angle);
+    all.emplace_back("colour.ITA.unit", std::string("deg"));
+}
+
+Attributes attributes_of(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
+{
+    const SkinModel& model = task.skin.model();
+    Attributes all{{"program", std::string(GONIO_PROGRAM)},
+                   {"skin", model.id},
+                   {"citation", model.citation},
+                   {"solver", std::string("adding_doubling")},
+                   {"max_error", task.tolerance},
+                   {"light", std::string(task.light.diffuse ? "diffuse" : "beam")}};
+    if (!task.light.diffuse) {
+        all.emplace_back("theta_i", task.light.incidence * 180 / std::numbers::pi);
+        all.emplace_back("theta_i.unit", std::string("deg"));
+    }
+    for (std::size_t k = 0; k < model.parameters.size(); ++k) {
+        const auto& [name, unit, least, greatest, preset, doc] = model.parameters[k];
+        if (is_ladder(task, name)) continue;
+        all.emplace_back(name, task.skin.values()[k]);
+        if (unit != "1") all.emplace_back(name + ".unit", unit);
+    }
+    for (std::size_t k = 0; k < model.layers.size(); ++k)
+        all.emplace_back(fmt::format("layer_{}", k + 1), model.layers[k]);
+    if (has_colour(task.wavelengths)) add_colours(all, spectra);
+    return all;
+}
+
+}  // namespace
+
+std::vector<Skin> sets_of(const SkinTask& task)
+{
+    std::vector<Skin> sets{task.skin};
+    for (const SkinLadder& ladder : task.ladders) {
+        std::vector<Skin> more;
+        for (const Skin& set : sets)
+            for (const double value : ladder.values) {
+                more.push_back(set);
+                more.back().set(ladder.parameter, value);
+            }
+        sets = std::move(more);
+    }
+    return sets;
+}
+
+std::vector<double> default_wavelengths()
+{
+    std::vector<double> all;
+    for (int wavelength = 380; wavelength <= 780; wavelength += 5) all.push_back(wavelength);
+    return all;
+}
+
+std::string label_of(const SkinTask& task, const Skin& set)
+{
+    std::string text;
+    for (const SkinLadder& ladder : task.ladders) {
+        const std::size_t index = set.model().index_of(ladder.parameter);
+        text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                            with_unit(set.model().parameters[index], set.values()[index]));
+    }
+    return text;
+}
+
+std::string fixed_text(const SkinTask& task)
+{
+    std::string text;
+    const auto& parameters = task.skin.model().parameters;
+    for (std::size_t k = 0; k < parameters.size(); ++k)
+        if (!is_ladder(task, parameters[k].name))
+            text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                                with_unit(parameters[k], task.skin.values()[k]));
+    return text;
+}
+
+Table spectrum_table(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
+{
+    Table table{{.quantity = "reflectance_spectrum",
+                 .unit = "1",
+                 .axes = {},
+                 .channels = {"reflectance", "specular", "transmittance", "bottom"},
+                 .attributes = attributes_of(task, spectra)},
+                {}};
+    TableHeader& header = table.header;
+    for (const SkinLadder& ladder : task.ladders) {
+        const SkinModel& model = task.skin.model();
+        const auto& unit = model.parameters[model.index_of(ladder.parameter)].unit;
+        header.axes.push_back({ladder.parameter, unit, ladder.values, Samples::node});
+    }
+    header.axes.push_back({"wavelength", "nm", task.wavelengths, Samples::node});
+    header.sweep_axes = task.ladders.size();
+    header.single_precision = false;
+    for (std::size_t k = 1; k <= task.skin.model().layers.size(); ++k)
+        header.channels.push_back(fmt::format("layer_{}", k));
+    header.channels.emplace_back("reflectance.error");
+    table.values.resize(header.channels.size());
+    for (const SkinSpectrum& spectrum : spectra) {
+        std::vector<const std::vector<double>*> planes{&spectrum.reflectance, &spectrum.specular,
+                                                       &spectrum.transmittance, &spectrum.bottom};
+        for (const auto& layer : spectrum.absorption) planes.push_back(&layer);
+        const std::vector<double> error(spectrum.wavelengths.size(), spectrum.error);
+        planes.push_back(&error);
+        for (std::size_t c = 0; c < planes.size(); ++c)
+            table.values[c].insert(table.values[c].end(), planes[c]->begin(), planes[c]->end());
+    }
+    return table;
+}
+
+}  // namespace gonio
