@@ -31,5 +31,6 @@ void add_info(CLI::App& app);
 void add_lookup(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_photon(CLI::App& app);
+void add_skin(CLI::App& app);
 
 }  // namespace gonio

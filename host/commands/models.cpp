@@ -7,6 +7,7 @@
 #include "commands/commands.hpp"
 #include "commands/measured_models.hpp"
 #include "commands/parameters.hpp"
+#include "commands/skin_models.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/material.hpp"
 #include "output/model_plot.hpp"
@@ -123,7 +124,7 @@ void add_models(CLI::App& app)
 {
     struct Options {
         std::string id, plot;
-        bool measure = false, json = false;
+        bool measure = false, json = false, skin = false;
         DeviceOptions device;
     };
     CLI::App* verb = app.add_subcommand("models", "List the reflectance models, or all about one");
@@ -135,15 +136,19 @@ void add_models(CLI::App& app)
     CLI::Option* measure = verb->add_flag(
         "--measure", options->measure,
         "measure accuracy, speed and the largest directional albedo, of one model or of all");
+    CLI::Option* skin =
+        verb->add_flag("--skin", options->skin, "list the models of skin, or all about one of them")
+            ->excludes(measure);
     verb->add_flag("--json", options->json, "Print JSON");
     options->device.add_to(*verb);
     verb->allow_extras();
-    verb->get_option("--plot")->excludes(measure);
+    verb->get_option("--plot")->excludes(measure)->excludes(skin);
     verb->callback([verb, options] {
         const std::string& id = options->id;
         const std::vector<std::string> words = verb->remaining();
         if (options->plot.empty() && !words.empty())
             throw UsageError(fmt::format("what is `{}`? Parameters are for --plot", words.front()));
+        if (options->skin) return print_skin_models(id, options->json);
         if (id.empty() && !options->plot.empty())
             throw UsageError("--plot needs the ID of a model");
         if (!options->plot.empty())

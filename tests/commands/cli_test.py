@@ -69,7 +69,7 @@ class Cli(unittest.TestCase):
 
     def test_help_of_every_verb(self):
         listing = self.gonio("--help")
-        verbs = "devices models eval sample table run photon info lookup compress verify"
+        verbs = "devices models eval sample table run photon skin info lookup compress verify"
         for verb in verbs.split():
             self.assertIn(verb, listing)
             self.assertIn("Usage", self.gonio(verb, "--help"))
