@@ -99,7 +99,7 @@ LightSource light_of(const SkinOptions& options)
     const bool diffuse = options.light == "diffuse";
     if (diffuse && options.theta_i != 0)
         throw UsageError("`theta_i` is for a beam, not for diffuse light");
-    return {diffuse, options.theta_i * std::numbers::pi / 180};
+    return {diffuse ? Beam::diffuse : Beam::pencil, options.theta_i * std::numbers::pi / 180};
 }
 
 }  // namespace

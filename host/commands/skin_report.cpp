@@ -20,8 +20,9 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 std::string light_text(const LightSource& light)
 {
-    return light.diffuse ? "diffuse light"
-                         : fmt::format("beam at {:.4g} deg", light.incidence * degrees);
+    return light.beam == Beam::diffuse
+               ? "diffuse light"
+               : fmt::format("beam at {:.4g} deg", light.incidence * degrees);
 }
 
 /// A row of text: a name, then a number for each set.
@@ -100,7 +101,7 @@ void print_spectra_json(const SkinTask& task, const std::vector<Skin>& sets,
     nlohmann::ordered_json json{{"skin", model.id},
                                 {"title", model.title},
                                 {"citation", model.citation},
-                                {"light", task.light.diffuse ? "diffuse" : "beam"},
+                                {"light", task.light.beam == Beam::diffuse ? "diffuse" : "beam"},
                                 {"theta_i", task.light.incidence * degrees},
                                 {"layers", model.layers},
                                 {"wavelengths", task.wavelengths}};

@@ -49,12 +49,14 @@ PhotonKernel::PhotonKernel(const Device& device, PhotonProgram program, std::uin
     tallies_ = {state.context, CL_MEM_READ_WRITE, sets * program_.sums * sizeof(cl_ulong)};
     taken_ = {state.context, CL_MEM_READ_WRITE, sizeof(cl_uint)};
     layers_ = input_buffer(state, program_.layers);
+    phases_ = input_buffer(state, program_.phases);
     const KernelSource& source = program_.source;
     cl_uint argument = 0;
     const auto set = [&](auto value) { kernel_.setArg(argument++, value); };
     set(tallies_);
     set(taken_);
     set(layers_);
+    set(phases_);
     set(static_cast<cl_uint>(program_.sums));
     argument += 2;  // first and count, of each launch
     set(static_cast<cl_ulong>(seed));
@@ -63,7 +65,10 @@ PhotonKernel::PhotonKernel(const Device& device, PhotonProgram program, std::uin
     set(static_cast<cl_uint>(source.weight));
     set(source.ratio);
     set(source.excess);
+    set(source.radius_x);
+    set(source.radius_y);
     set(program_.bottom_albedo);
+    set(program_.row_bins_per_unit);
     set(program_.radius_bins_per_cm);
     set(program_.depth_bins_per_cm);
     clear();
@@ -73,8 +78,8 @@ double PhotonKernel::run(std::uint64_t first, std::uint32_t count)
 {
     Device::State& state = device_.state();
     state.queue.enqueueFillBuffer(taken_, cl_uint{0}, 0, sizeof(cl_uint));
-    kernel_.setArg(4, static_cast<cl_ulong>(first));
-    kernel_.setArg(5, static_cast<cl_uint>(count));
+    kernel_.setArg(5, static_cast<cl_ulong>(first));
+    kernel_.setArg(6, static_cast<cl_uint>(count));
     const bool cpu = state.info.type == "CPU";
     cl::Event event;
     state.queue.enqueueNDRangeKernel(kernel_, cl::NullRange, cl::NDRange(work_.items),

@@ -38,7 +38,7 @@ private:
     PhotonProgram program_;
     PhotonWork work_;
     cl::Kernel kernel_;
-    cl::Buffer tallies_, taken_, layers_;
+    cl::Buffer tallies_, taken_, layers_, phases_;
 };
 
 }  // namespace gonio

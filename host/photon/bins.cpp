@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "photon/exact_values.hpp"
+
 namespace gonio {
 namespace {
 
@@ -18,13 +20,31 @@ const std::vector<Fraction>& tally(const PhotonResult& result, const PhotonTalli
     return tallies.reflected ? result.reflected : result.transmitted;
 }
 
-std::vector<Fraction> budget(const PhotonResult& result)
+/// Both sides of the plane of incidence share their rows.
+std::size_t azimuth_rows(const Axis& delta_phi)
 {
-    std::vector<Fraction> parts = {result.specular, result.diffuse_reflectance,
-                                   result.unscattered_transmittance, result.diffuse_transmittance,
-                                   result.bottom_absorption};
-    parts.insert(parts.end(), result.absorption.begin(), result.absorption.end());
-    return parts;
+    const bool whole_turn = delta_phi.values.front() + delta_phi.values.back() > 270;
+    return whole_turn ? delta_phi.values.size() / 2 : delta_phi.values.size();
+}
+
+/// f_r in cells (theta_o, delta_phi): the light in a bin over the integral of cos theta_o there.
+/// Rows begin where the beam goes, delta_phi where it comes from.
+std::vector<Fraction> reflectances(const PhotonResult& result, const PhotonTallies& tallies,
+                                   const std::vector<Axis>& axes)
+{
+    const double width = pi / 2 / static_cast<double>(tallies.angles);
+    std::vector<Fraction> all;
+    for (std::size_t angle = 0; angle < tallies.angles; ++angle)
+        for (std::size_t cell = 0; cell < axes[2].values.size(); ++cell) {
+            const std::size_t row =
+                cell < tallies.rows ? tallies.rows - 1 - cell : cell - tallies.rows;
+            const double cosines = pi / static_cast<double>(tallies.rows) *
+                                   std::sin((2 * static_cast<double>(angle) + 1) * width) *
+                                   std::sin(width);
+            const Fraction& bin = result.reflected[row * tallies.angles + angle];
+            all.push_back({bin.mean / cosines, bin.error / cosines});
+        }
+    return all;
 }
 
 }  // namespace
@@ -47,16 +67,27 @@ PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes
     tallies.reflected = quantity.id.starts_with("reflectance");
     tallies.transmitted = quantity.id.starts_with("transmittance");
     tallies.absorbed = quantity.id.starts_with("absorption");
+    if (quantity.on_grid()) {
+        tallies.reflected = true;
+        tallies.row = ExitRow::azimuth;
+        tallies.rows = azimuth_rows(axes[2]);
+        tallies.angles = axes[1].values.size();
+        return tallies;
+    }
     for (const Axis& axis : axes) {
         const std::size_t count = axis.values.size();
         const double width = 2 * axis.values.front();
         if (axis.name == "alpha") {
             tallies.angles = count;
+        } else if (axis.name == "t") {
+            tallies.row = ExitRow::time;
+            tallies.rows = count;
+            tallies.time_width = width;
         } else if (axis.name == "z") {
             tallies.depths = count;
             tallies.depth_width = width;
         } else {
-            (tallies.absorbed ? tallies.absorbed_radii : tallies.radii) = count;
+            (tallies.absorbed ? tallies.absorbed_radii : tallies.rows) = count;
             tallies.radius_width = width;
         }
     }
@@ -64,16 +95,18 @@ PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes
 }
 
 std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quantity,
-                                const PhotonTallies& tallies)
+                                const PhotonTallies& tallies, const std::vector<Axis>& axes)
 {
-    if (quantity.axes.empty()) return budget(result);
-    const std::size_t rows = tallies.absorbed ? tallies.depths : tallies.radii;
+    if (quantity.axes.empty()) return parts_of(result);
+    if (quantity.on_grid()) return reflectances(result, tallies, axes);
+    const std::size_t rows = tallies.absorbed ? tallies.depths : tallies.rows;
     const std::size_t columns = tallies.absorbed ? tallies.absorbed_radii : tallies.angles;
     const std::size_t stride = tallies.absorbed ? columns + 1 : columns;
     const auto size = [&](std::size_t row, std::size_t column) {
         if (tallies.absorbed)
             return tallies.depth_width *
                    (columns == 0 ? 1 : ring_area(column, tallies.radius_width));
+        if (tallies.row == ExitRow::time) return tallies.time_width;
         return (rows == 0 ? 1 : ring_area(row, tallies.radius_width)) *
                (columns == 1 ? 1 : solid_angle(column, columns));
     };
@@ -85,6 +118,16 @@ std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quan
             all.push_back({bin.mean / size(row, column), bin.error / size(row, column)});
         }
     return all;
+}
+
+double largest_error(const std::vector<Fraction>& values)
+{
+    double value = 0, error = 0;
+    for (const Fraction& one : values) {
+        value = std::max(value, one.mean);
+        error = std::max(error, one.error);
+    }
+    return value > 0 ? error / value : 0;
 }
 
 std::uint64_t batch_of(std::uint64_t photons)
@@ -101,7 +144,7 @@ double overflow(const PhotonResult& result, const PhotonTallies& tallies)
         const std::size_t stride = tallies.absorbed ? tallies.absorbed_radii + 1 : tallies.angles;
         const std::size_t row = k / stride, column = k % stride;
         const bool deep =
-            tallies.absorbed ? row == tallies.depths : tallies.radii > 0 && row == tallies.radii;
+            tallies.absorbed ? row == tallies.depths : tallies.rows > 0 && row == tallies.rows;
         const bool far =
             tallies.absorbed && tallies.absorbed_radii > 0 && column == tallies.absorbed_radii;
         if (deep || far) beyond += bins[k].mean;

@@ -14,10 +14,14 @@ namespace gonio {
 /// For the axes of a table, even bins from 0 on.
 PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes);
 
-/// The bins of the quantity's tally without those of the overflow, per cm, cm^2, cm^3 and sr as its
-/// unit says, row-major over the axes; for a number the parts of the budget.
+/// The bins of the quantity's tally without those of the overflow, per cm, cm^2, cm^3, sr and ps as
+/// its unit says, row-major over the axes; for a number the parts of the budget; for a BRDF the
+/// cells of one theta_i.
 std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quantity,
-                                const PhotonTallies& tallies);
+                                const PhotonTallies& tallies, const std::vector<Axis>& axes);
+
+/// The largest error over the largest value; 0 where all values are.
+double largest_error(const std::vector<Fraction>& values);
 
 /// The batch for a given number of photons: a power of two, at least 64 of them.
 std::uint64_t batch_of(std::uint64_t photons);

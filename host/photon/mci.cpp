@@ -103,7 +103,7 @@ private:
         tallies.radius_width = above_zero(words_[1]);
         next("the numbers of dz, dr and da", 3);
         tallies.depths = whole(words_[0], most_bins);
-        tallies.radii = tallies.absorbed_radii = whole(words_[1], most_bins);
+        tallies.rows = tallies.absorbed_radii = whole(words_[1], most_bins);
         tallies.angles = whole(words_[2], most_bins);
         const std::uint64_t layers = whole(next("the number of layers")[0], most_layers);
         run.medium.n_above = number(next("n of the medium above")[0]);

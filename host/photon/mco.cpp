@@ -62,7 +62,7 @@ struct Exits {
     double per_solid_angle(std::size_t a) const
     {
         double sum = 0;
-        for (std::size_t r = 0; r <= tallies.radii; ++r) sum += at(r, a);
+        for (std::size_t r = 0; r <= tallies.rows; ++r) sum += at(r, a);
         return sum / solid_angle(a, tallies.angles);
     }
     double per_both(std::size_t r, std::size_t a) const
@@ -81,7 +81,7 @@ std::string mco_parameters(const MciRun& run)
         "{} \t# No. of photons\n{}\t{}\t# dz, dr [cm]\n{}\t{}\t{}\t# No. of dz, dr, da.\n\n"
         "{} \t# Number of layers\n#n\tmua\tmus\tg\td\t# One line for each layer\n"
         "{} \t# n for medium above.\n",
-        run.output, run.photons, bins.depth_width, bins.radius_width, bins.depths, bins.radii,
+        run.output, run.photons, bins.depth_width, bins.radius_width, bins.depths, bins.rows,
         bins.angles, run.medium.layers.size(), run.medium.n_above);
     std::size_t number = 0;
     for (const Layer& layer : run.medium.layers)
@@ -109,24 +109,24 @@ std::string mco_text(const MciRun& run, const PhotonResult& result)
         "\n# A_rz, Rd_ra, Tt_ra \n####\n\n";
     text += mco_parameters(run) + totals(result);
     text += column("A_z #A[0], [1],..A[nz-1]. [1/cm]", bins.depths, absorbed_at_depth);
-    text += column("Rd_r #Rd[0], [1],..Rd[nr-1]. [1/cm2]", bins.radii,
+    text += column("Rd_r #Rd[0], [1],..Rd[nr-1]. [1/cm2]", bins.rows,
                    [&](std::size_t r) { return up.per_area(r); });
     text += column("Rd_a #Rd[0], [1],..Rd[na-1]. [sr-1]", bins.angles,
                    [&](std::size_t a) { return up.per_solid_angle(a); });
-    text += column("Tt_r #Tt[0], [1],..Tt[nr-1]. [1/cm2]", bins.radii,
+    text += column("Tt_r #Tt[0], [1],..Tt[nr-1]. [1/cm2]", bins.rows,
                    [&](std::size_t r) { return down.per_area(r); });
     text += column("Tt_a #Tt[0], [1],..Tt[na-1]. [sr-1]", bins.angles,
                    [&](std::size_t a) { return down.per_solid_angle(a); });
     text += matrix("# A[r][z]. [1/cm3]\n# A[0][0], [0][1],..[0][nz-1]\n# A[1][0], ...\nA_rz",
-                   bins.radii, bins.depths, [&](std::size_t r, std::size_t z) {
+                   bins.rows, bins.depths, [&](std::size_t r, std::size_t z) {
                        return absorbed(z, r) / (ring_area(r, bins.radius_width) * bins.depth_width);
                    });
     text += matrix(
         "# Rd[r][angle]. [1/(cm2sr)].\n# Rd[0][0], [0][1],..[0][na-1]\n# Rd[1][0], ...\nRd_ra",
-        bins.radii, bins.angles, [&](std::size_t r, std::size_t a) { return up.per_both(r, a); });
+        bins.rows, bins.angles, [&](std::size_t r, std::size_t a) { return up.per_both(r, a); });
     text += matrix(
         "# Tt[r][angle]. [1/(cm2sr)].\n# Tt[0][0], [0][1],..[0][na-1]\n# Tt[1][0], ...\nTt_ra",
-        bins.radii, bins.angles, [&](std::size_t r, std::size_t a) { return down.per_both(r, a); });
+        bins.rows, bins.angles, [&](std::size_t r, std::size_t a) { return down.per_both(r, a); });
     return text;
 }
 

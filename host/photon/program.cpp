@@ -10,16 +10,19 @@
 
 #include "gonio/errors.hpp"
 #include "gonio/shared/photon_fields.h"
+#include "photon/phase_segments.hpp"
 
 namespace gonio {
 namespace {
 
-constexpr double no_matter = 1e30;   // a free path that always ends at a boundary, cm
+constexpr double no_matter = 1e30;  // a free path that always ends at a boundary, cm
+constexpr double cm_per_ps = 0.0299792458;
 constexpr double everything = 1.01;  // of a weight, also after rounding; no more than all is taken
 
 /// Writes a phase function into the record of a layer.
 struct PhaseFields {
     float* record;
+    std::vector<float>& segments;
 
     void operator()(const HenyeyGreenstein& phase) const { terms(phase.g, 0, 1); }
     void operator()(const Isotropic&) const { terms(0, 0, 1); }
@@ -32,11 +35,13 @@ struct PhaseFields {
     {
         terms(phase.g_1, phase.g_2, phase.weight_1);
     }
-    void operator()(const TabulatedPhase&) const
+    void operator()(const TabulatedPhase& phase) const
     {
-        throw UsageError(
-            "the solver monte_carlo has no tabulated phase functions in this version; adding_"
-            "doubling has");
+        terms(0, 0, 1);
+        const std::vector<float> records = phase_segments(phase);
+        record[layer_first_segment] = static_cast<float>(segments.size() / segment_fields);
+        record[layer_segments] = static_cast<float>(records.size() / segment_fields);
+        segments.insert(segments.end(), records.begin(), records.end());
     }
 
     void terms(double g_1, double g_2, double weight_1) const
@@ -47,14 +52,15 @@ struct PhaseFields {
     }
 };
 
-std::vector<float> layer_records(const LayeredMedium& medium)
+/// Fills the program's records of layers and of their tabulated phase functions.
+void add_layers(PhotonProgram& program, const LayeredMedium& medium)
 {
     const std::size_t count = medium.layers.size();
-    std::vector<float> records(count * layer_fields);
+    program.layers.resize(count * layer_fields);
     double top = 0;
     for (std::size_t k = 0; k < count; ++k) {
         const Layer& layer = medium.layers[k];
-        float* record = &records[k * layer_fields];
+        float* record = &program.layers[k * layer_fields];
         const double met = layer.mua + layer.mus;
         const double up = layer.n / (k == 0 ? medium.n_above : medium.layers[k - 1].n);
         const double down = layer.n / (k + 1 == count ? medium.n_below : medium.layers[k + 1].n);
@@ -65,24 +71,28 @@ std::vector<float> layer_records(const LayeredMedium& medium)
         set(layer_absorbed, layer.mus == 0 ? everything : layer.mua / met);
         set(layer_thickness, layer.d);
         set(layer_top, top);
+        set(layer_index, layer.n);
         set(layer_ratio_up, up);
         set(layer_excess_up, (1 - up) * (1 + up));
         set(layer_ratio_down, down);
         set(layer_excess_down, (1 - down) * (1 + down));
-        std::visit(PhaseFields{record}, layer.phase);
+        std::visit(PhaseFields{record, program.phases}, layer.phase);
         top += layer.d;
     }
-    return records;
+    if (program.phases.empty()) program.phases.resize(segment_fields);  // no buffer has no bytes
 }
 
 /// Refraction at the first boundary: Born and Wolf 1.5.2.
-KernelSource refracted_beam(const LayeredMedium& medium, double incidence)
+KernelSource refracted_beam(const LayeredMedium& medium, const LightSource& light)
 {
+    const double incidence = light.beam == Beam::diffuse ? 0 : light.incidence;
     const double ratio = medium.n_above / medium.layers.front().n, cosine = std::cos(incidence);
     const double sine = ratio * std::sin(incidence);
     const double excess = (1 - ratio) * (1 + ratio);
     KernelSource source{static_cast<float>(sine), 0, 0, static_cast<float>(ratio),
                         static_cast<float>(excess)};
+    source.radius_x = static_cast<float>(light.radius / cosine);
+    source.radius_y = static_cast<float>(light.radius);
     if (sine >= 1) return source;
     const double behind = std::sqrt((1 - sine) * (1 + sine));
     const double s = (ratio * cosine - behind) / (ratio * cosine + behind);
@@ -106,6 +116,21 @@ void check(const PhotonRequest& request)
     if (!(request.light.incidence >= 0 && request.light.incidence < std::numbers::pi / 2))
         throw UsageError(fmt::format("an angle of incidence of {} degrees must be in [0, 90)",
                                      request.light.incidence * 180 / std::numbers::pi));
+    if (!(request.light.radius >= 0 && std::isfinite(request.light.radius)))
+        throw UsageError(
+            fmt::format("a beam's radius of {} cm must be 0 or more", request.light.radius));
+}
+
+double row_bins_per_unit(const PhotonTallies& tallies)
+{
+    switch (tallies.row) {
+        case ExitRow::radius:
+            return 1 / tallies.radius_width;
+        case ExitRow::azimuth:
+            return static_cast<double>(tallies.rows) / std::numbers::pi;
+        default:
+            return 1 / (tallies.time_width * cm_per_ps);
+    }
 }
 
 }  // namespace
@@ -116,10 +141,11 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
     check(request);
     const PhotonTallies& tallies = request.tallies;
     PhotonProgram program;
-    program.layers = layer_records(medium);
-    program.source = refracted_beam(medium, request.light.diffuse ? 0 : request.light.incidence);
+    add_layers(program, medium);
+    program.source = refracted_beam(medium, request.light);
     if (medium.bottom == Bottom::diffuse)
         program.bottom_albedo = static_cast<float>(medium.bottom_albedo);
+    program.row_bins_per_unit = static_cast<float>(row_bins_per_unit(tallies));
     program.radius_bins_per_cm = static_cast<float>(1 / tallies.radius_width);
     program.depth_bins_per_cm = static_cast<float>(1 / tallies.depth_width);
     program.reflected = photon_totals + medium.layers.size();
@@ -137,16 +163,18 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
     };
     define("LAYERS", medium.layers.size());
     define("BOTTOM", medium.bottom == Bottom::open ? 0 : medium.bottom == Bottom::mirror ? 1 : 2);
-    define("DIFFUSE_SOURCE", request.light.diffuse ? 1 : 0);
+    define("SOURCE", static_cast<std::size_t>(request.light.beam));
     define("CLEAR_TOP", top.mua + top.mus == 0 ? 1 : 0);
     define("TWO_TERMS", has_phase<TwoTermHenyeyGreenstein>(medium) ? 1 : 0);
     define("RAYLEIGH", has_phase<Rayleigh>(medium) ? 1 : 0);
+    define("TABULATED", has_phase<TabulatedPhase>(medium) ? 1 : 0);
     define("REFLECTED", tallies.reflected ? 1 : 0);
     define("TRANSMITTED", tallies.transmitted ? 1 : 0);
     define("ABSORBED", tallies.absorbed ? 1 : 0);
     if (tallies.reflected || tallies.transmitted) {
-        define("RADIUS_BINS", tallies.radii);
-        define("ANGLE_BINS", tallies.angles);
+        define("ROW", static_cast<std::size_t>(tallies.row));
+        define("ROWS", tallies.rows);
+        define("ANGLES", tallies.angles);
         define("FIRST_REFLECTED", program.reflected);
         define("FIRST_TRANSMITTED", program.transmitted);
     }

@@ -18,15 +18,17 @@ struct KernelSource {
     float sine = 0, cosine = 1;
     std::uint32_t weight = whole_photon;  ///< what the boundary lets in
     float ratio = 1, excess = 0;
+    float radius_x = 0, radius_y = 0;  ///< of the beam's ellipse on the surface, cm
 };
 
 struct PhotonProgram {
     std::string preamble;                  ///< the program's first lines
     std::vector<std::string> definitions;  ///< "NAME=VALUE"
     std::vector<float> layers;             ///< records of layer_field
+    std::vector<float> phases;             ///< records of segment_field, of all tables
     KernelSource source;
     float bottom_albedo = 0;
-    float radius_bins_per_cm = 0, depth_bins_per_cm = 0;
+    float row_bins_per_unit = 0, radius_bins_per_cm = 0, depth_bins_per_cm = 0;
     // Places among the sums, behind the totals and the layers.
     std::size_t reflected = 0, transmitted = 0, absorbed = 0, sums = 0;
 };

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "gonio/errors.hpp"
@@ -44,8 +46,9 @@ struct PhotonTracer::State {
     std::size_t layers;
     PhotonKernel kernel;
     WeightSums sums;
-    std::uint64_t next;          ///< number of the next photon
-    std::uint64_t in_batch = 0;  ///< photons since the last batch was added
+    std::uint64_t next;                ///< number of the next photon
+    std::uint64_t in_batch = 0;        ///< photons since the last batch was added
+    std::vector<std::uint64_t> begun;  ///< what those left before the last state() or restore()
     std::uint32_t launch = first_launch;
     double seconds = 0;
 
@@ -55,7 +58,8 @@ struct PhotonTracer::State {
           layers(medium.layers.size()),
           kernel(on, photon_program(medium, asked), asked.seed),
           sums(kernel.program().sums),
-          next(asked.first)
+          next(asked.first),
+          begun(kernel.program().sums)
     {
     }
 
@@ -70,10 +74,19 @@ struct PhotonTracer::State {
         in_batch += count;
     }
 
+    /// Moves what the device has counted to `begun`.
+    void collect()
+    {
+        const std::vector<std::uint64_t> more = kernel.take_sums();
+        std::ranges::transform(begun, more, begun.begin(), std::plus());
+    }
+
     void end_batch()
     {
-        std::vector<std::uint64_t> weights = kernel.take_sums();
-        if (!request.light.diffuse)
+        collect();
+        std::vector<std::uint64_t> weights(begun.size());
+        std::swap(weights, begun);
+        if (request.light.beam != Beam::diffuse)
             weights[total_specular] += in_batch * (whole_photon - kernel.program().source.weight);
         require_balance(weights, layers, in_batch, device.info());
         sums.add_batch(weights, in_batch);
@@ -124,6 +137,37 @@ PhotonResult PhotonTracer::result() const
             .reflected = bins(tallies.reflected, program.reflected, tallies.exit_bins()),
             .transmitted = bins(tallies.transmitted, program.transmitted, tallies.exit_bins()),
             .absorbed = bins(tallies.absorbed, program.absorbed, tallies.absorbed_bins())};
+}
+
+std::string PhotonTracer::state() const
+{
+    State& s = *state_;
+    s.collect();
+    std::string bytes;
+    nlohmann::json::to_cbor(nlohmann::json{{"next", s.next},
+                                           {"in_batch", s.in_batch},
+                                           {"seconds", s.seconds},
+                                           {"begun", s.begun},
+                                           {"sums", s.sums.state()}},
+                            bytes);
+    return bytes;
+}
+
+void PhotonTracer::restore(std::string_view state)
+{
+    State& s = *state_;
+    try {
+        const auto saved = nlohmann::json::from_cbor(state);
+        auto begun = saved.at("begun").get<std::vector<std::uint64_t>>();
+        if (begun.size() != s.begun.size()) throw UsageError("a state of other tallies");
+        s.sums.restore(saved.at("sums"));
+        s.begun = std::move(begun);
+        s.next = saved.at("next");
+        s.in_batch = saved.at("in_batch");
+        s.seconds = saved.at("seconds");
+    } catch (const nlohmann::json::exception&) {
+        throw UsageError("not the state of a simulation");
+    }
 }
 
 double PhotonTracer::kernel_seconds() const

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gonio/errors.hpp"
 #include "photon/program.hpp"
 
 namespace gonio {
@@ -19,6 +20,33 @@ void WeightSums::add_batch(const std::vector<std::uint64_t>& weights, std::uint6
     }
     photons_ += photons;
     ++batches_;
+}
+
+nlohmann::json WeightSums::state() const
+{
+    std::vector<std::uint64_t> low, high;
+    for (const Sum sum : sums_) {
+        low.push_back(static_cast<std::uint64_t>(sum));
+        high.push_back(static_cast<std::uint64_t>(sum >> 64));
+    }
+    return {{"low", low},
+            {"high", high},
+            {"squares", squares_},
+            {"photons", photons_},
+            {"batches", batches_}};
+}
+
+void WeightSums::restore(const nlohmann::json& state)
+{
+    const auto low = state.at("low").get<std::vector<std::uint64_t>>();
+    const auto high = state.at("high").get<std::vector<std::uint64_t>>();
+    const auto squares = state.at("squares").get<std::vector<double>>();
+    if (low.size() != sums_.size() || high.size() != sums_.size() || squares.size() != sums_.size())
+        throw UsageError("a state of other sums");
+    for (std::size_t k = 0; k < sums_.size(); ++k) sums_[k] = Sum{high[k]} << 64 | low[k];
+    squares_ = squares;
+    photons_ = state.at("photons");
+    batches_ = state.at("batches");
 }
 
 /// The variance of a photon's score, from the spread of the means of batches of m photons, each

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "gonio/photons.hpp"
@@ -17,6 +18,10 @@ public:
     /// What a batch of photons left in each sum, in units of 2^-30 photons. Batches are independent
     /// and may differ in size.
     void add_batch(const std::vector<std::uint64_t>& weights, std::uint64_t photons);
+
+    nlohmann::json state() const;
+    /// Throws UsageError for a state of other sums, nlohmann::json::exception for none.
+    void restore(const nlohmann::json& state);
 
     std::uint64_t photons() const { return photons_; }
 

@@ -71,6 +71,29 @@ private:
     std::vector<std::pair<std::string, Attribute>> all_;
 };
 
+/// Cells of a grid of angles theta_i and theta_o with one of them at exactly 90 deg.
+std::size_t cells_at_the_horizon(const Grid& grid)
+{
+    std::size_t cells = 1, above = 1;
+    for (const Axis& axis : grid.axes) {
+        const bool polar = axis.name == "theta_i" || axis.name == "theta_o";
+        const bool ends_there = polar && axis.values.back() == 90;
+        cells *= axis.values.size();
+        above *= axis.values.size() - (ends_there ? 1 : 0);
+    }
+    return cells - above;
+}
+
+std::string conversion_text(const Job& job)
+{
+    const bool printed = std::ranges::any_of(
+        job.materials.front().lobes, [](const Lobe& lobe) { return (lobe.traits() & VALUE) != 0; });
+    if (!printed || job.measure != Measure::brdf) return {};
+    return "the paper's value holds cos theta_i and is divided by it";
+}
+
+}  // namespace
+
 std::string grid_name(GridKind kind)
 {
     switch (kind) {
@@ -99,29 +122,6 @@ std::string directions_text(GridKind kind)
                    "frame (Rusinkiewicz, EGWR 1998); 0 where light or viewer is below the horizon";
     }
 }
-
-/// Cells of a grid of angles theta_i and theta_o with one of them at exactly 90 deg.
-std::size_t cells_at_the_horizon(const Grid& grid)
-{
-    std::size_t cells = 1, above = 1;
-    for (const Axis& axis : grid.axes) {
-        const bool polar = axis.name == "theta_i" || axis.name == "theta_o";
-        const bool ends_there = polar && axis.values.back() == 90;
-        cells *= axis.values.size();
-        above *= axis.values.size() - (ends_there ? 1 : 0);
-    }
-    return cells - above;
-}
-
-std::string conversion_text(const Job& job)
-{
-    const bool printed = std::ranges::any_of(
-        job.materials.front().lobes, [](const Lobe& lobe) { return (lobe.traits() & VALUE) != 0; });
-    if (!printed || job.measure != Measure::brdf) return {};
-    return "the paper's value holds cos theta_i and is divided by it";
-}
-
-}  // namespace
 
 std::string storage_text(const Job& job)
 {

@@ -13,6 +13,10 @@ namespace gonio {
 /// with a dot, and a number where the model is there more than once ("ward_2.").
 std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes);
 
+/// The attributes `grid` and `directions` of a table over a grid.
+std::string grid_name(GridKind kind);
+std::string directions_text(GridKind kind);
+
 /// Everything about a job's storage that changes the bytes of its file.
 std::string storage_text(const Job& job);
 

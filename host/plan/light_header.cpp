@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -48,12 +49,20 @@ std::string bottom_text(const LayeredMedium& medium)
 /// A value and the standard error beside it. Adding-doubling has one bound for all values.
 std::vector<std::string> channels(const LightJob& job)
 {
-    if (!job.quantity->axes.empty()) return {"Y", "Y.error"};
-    std::vector<std::string> names = {"specular", "diffuse_reflectance",
-                                      "unscattered_transmittance", "diffuse_transmittance",
-                                      "bottom"};
-    for (std::size_t k = 1; k <= job.medium.layers.size(); ++k)
-        names.push_back(fmt::format("layer_{}", k));
+    std::vector<std::string> names = {"Y"};
+    const auto add_layers = [&](std::string_view of) {
+        for (std::size_t k = 1; k <= job.medium.layers.size(); ++k)
+            names.push_back(fmt::format("{}layer_{}", of, k));
+    };
+    if (job.quantity->id == "light_budget") {
+        names = {"specular", "diffuse_reflectance", "unscattered_transmittance",
+                 "diffuse_transmittance", "bottom"};
+        add_layers("");
+    } else if (job.quantity->id == "mean_path") {
+        names.clear();
+        add_layers("reflected.");
+        add_layers("transmitted.");
+    }
     const std::size_t values = names.size();
     for (std::size_t k = 0; k < values; ++k) names.push_back(names[k] + ".error");
     return names;
@@ -88,6 +97,18 @@ void add_medium(Attributes& all, const LayeredMedium& medium)
     all.emplace_back("layers.phase", phases);
 }
 
+void add_light(Attributes& all, const LightSource& light)
+{
+    static constexpr std::array names = {"beam", "gaussian", "top_hat", "diffuse"};
+    all.emplace_back("light", std::string(names[static_cast<std::size_t>(light.beam)]));
+    if (light.beam == Beam::diffuse) return;
+    all.emplace_back("theta_i", light.incidence * 180 / std::numbers::pi);
+    all.emplace_back("theta_i.unit", std::string("deg"));
+    if (light.beam == Beam::pencil) return;
+    all.emplace_back("radius", light.radius);
+    all.emplace_back("radius.unit", std::string("cm"));
+}
+
 }  // namespace
 
 TableHeader make_light_header(const Job& job, const std::string& material,
@@ -106,10 +127,11 @@ TableHeader make_light_header(const Job& job, const std::string& material,
     all.emplace_back("solver", light.solver);
     all.emplace_back("storage", storage_text(job));
     all.emplace_back("material", material);
-    all.emplace_back("light", std::string(light.light.diffuse ? "diffuse" : "beam"));
-    if (!light.light.diffuse) {
-        all.emplace_back("theta_i", light.light.incidence * 180 / std::numbers::pi);
-        all.emplace_back("theta_i.unit", std::string("deg"));
+    if (light.quantity->on_grid()) {
+        all.emplace_back("grid", grid_name(GridKind::isotropic));
+        all.emplace_back("directions", directions_text(GridKind::isotropic));
+    } else if (axes.empty() || axes.front().name != "mu") {
+        add_light(all, light.light);
     }
     add_medium(all, light.medium);
     if (light.budget.max_error) all.emplace_back("max_error", *light.budget.max_error);

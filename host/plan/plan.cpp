@@ -107,7 +107,8 @@ private:
             budget.photons = default_photons;
         job.must_reach = budget.max_error.has_value();
         set_storage(job, request);
-        job.header = make_light_header(job, material, request.axes);
+        job.header =
+            make_light_header(job, material, request.grid ? request.grid->axes : request.axes);
         located(job.where, [&] { check(job.header); });
         return job;
     }

@@ -61,13 +61,14 @@ LightBudget budget(const Solved& solved, const Light& light)
             .bottom_absorption = kept(kept.size() - 1) - transmitted};
 }
 
-/// What `side` of the stack scatters into exact directions.
+/// What `side` of the stack sends into exact directions besides the part of its diagonal that is
+/// specular.
 VectorXd intensity(const Directions& directions, const Light& light, const LightOperator& side,
-                   const Eigen::ArrayXd& unscattered, const Places& exits)
+                   const Eigen::ArrayXd& specular, const Places& exits)
 {
     VectorXd flux =
         side.kernel(exits, Eigen::all) * light.flux.cwiseQuotient(directions.root_weight);
-    flux += light.density * (side.diagonal.array() - unscattered)(exits).matrix();
+    flux += light.density * (side.diagonal.array() - specular)(exits).matrix();
     for (std::size_t i = 0; i < exits.size(); ++i) {  // per solid angle: dq = n^2 cos dOmega / pi
         const Direction& exit = directions.all[std::size_t(exits[i])];
         flux(Index(i)) *= exit.n * exit.n * exit.cosine / pi;
@@ -85,12 +86,16 @@ LayeredSolution solve_once(const LayeredMedium& medium, const LightRequest& requ
     const Solved solved{directions, add_layers(medium, directions, 0),
                         follow_unscattered(medium, directions),
                         specular_reflectance(medium, directions)};
+    const Eigen::ArrayXd nothing = Eigen::ArrayXd::Zero(directions.size());
     const auto illuminated = [&](const Light& light) {
-        return Illumination{budget(solved, light),
-                            intensity(directions, light, solved.stack.reflection,
-                                      solved.unscattered.reflected, directions.of_exact(above)),
-                            intensity(directions, light, solved.stack.transmission,
-                                      solved.unscattered.transmitted, directions.of_exact(below))};
+        return Illumination{
+            budget(solved, light),
+            intensity(directions, light, solved.stack.reflection, solved.specular,
+                      directions.of_exact(above)),
+            intensity(directions, light, solved.stack.transmission, nothing,
+                      directions.of_exact(below)),
+            (solved.stack.reflection.diagonal - solved.specular.matrix()).dot(light.flux),
+            solved.stack.transmission.diagonal.dot(light.flux)};
     };
     LayeredSolution solution;
     for (const Index place : directions.of_exact(incidence)) {
@@ -157,12 +162,12 @@ LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest&
         LayeredSolution solution =
             solve_once(medium, request, static_cast<int>(std::lround(nodes)));
         compare(solution, coarse);
-        if (solution.error <= tolerance) return solution;
+        if (std::max(solution.error, solution.angular_error) <= tolerance) return solution;
         coarse = std::move(solution);
     }
     throw RunError(
         fmt::format("adding-doubling reached an error of {:.1e} and not {:.1e} with {} nodes",
-                    coarse.error, tolerance, coarse.nodes));
+                    std::max(coarse.error, coarse.angular_error), tolerance, coarse.nodes));
 }
 
 }  // namespace gonio::reference

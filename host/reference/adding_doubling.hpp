@@ -24,9 +24,13 @@ struct LightBudget {
 /// One illumination of unit flux, and what becomes of it.
 struct Illumination {
     LightBudget budget;
-    // Radiant intensity of scattered light, 1/sr (MCML's Rd(alpha), Td(alpha)).
+    // Radiant intensity, 1/sr (MCML's Rd(alpha), Tt(alpha)), without what is specular.
     Eigen::VectorXd reflected;    ///< at each of exit_above
     Eigen::VectorXd transmitted;  ///< at each of exit_below
+    // What of a beam keeps to one angle and is no intensity: never scattered, or by less than the
+    // quadrature tells apart. Upwards again without what is specular.
+    double narrow_reflected = 0;
+    double narrow_transmitted = 0;
 };
 
 /// What is asked of a medium. Angles to the normal, rad, in [0, pi / 2).
@@ -40,7 +44,7 @@ struct LayeredSolution {
     std::vector<Illumination> collimated;  ///< for each incidence
     Illumination diffuse;                  ///< Lambertian light from above
     int nodes = 0;                         ///< quadrature directions asked for
-    // Errors come from the difference to a solution with 0.7 times the nodes.
+    // Bounds come from the difference to a solution with 0.7 times the nodes.
     double error = 0;          ///< of the worst number in the budgets
     double angular_error = 0;  ///< of the worst intensity, over the largest of its illumination
 };
@@ -50,7 +54,7 @@ struct LayeredSolution {
 /// function has a sharp peak. Throws UsageError as validate() does, and for angles out of range.
 LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& request, int nodes);
 
-/// Raises the number of nodes until `error` is at most `tolerance`. Throws RunError where 512 are
+/// Raises the number of nodes until no error is above `tolerance`. Throws RunError where 512 are
 /// not enough.
 LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest& request,
                                 double tolerance);

@@ -13,6 +13,7 @@ struct LayeredBrdf {
     std::vector<double> values;  ///< 1/sr, row-major, [theta_i][theta_o][delta_phi]
     double error = 0;            ///< of the worst value, from a solution with fewer nodes
     int modes = 0;               ///< Fourier modes over the azimuth that were summed
+    int nodes = 0;               ///< quadrature directions asked for
 };
 
 /// Of the light that the layers scatter, at angles in rad; the azimuth is 0 on the side of the
@@ -22,5 +23,11 @@ struct LayeredBrdf {
 LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>& theta_i,
                          const std::vector<double>& theta_o, const std::vector<double>& delta_phi,
                          int nodes);
+
+/// Raises the number of nodes until the error is at most `tolerance` of the largest value. Throws
+/// RunError where 256 are not enough.
+LayeredBrdf layered_brdf_to(const LayeredMedium& medium, const std::vector<double>& theta_i,
+                            const std::vector<double>& theta_o,
+                            const std::vector<double>& delta_phi, double tolerance);
 
 }  // namespace gonio::reference

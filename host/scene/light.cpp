@@ -35,6 +35,64 @@ void check_bins(const Value& where, const Axis& axis)
         where.fail(fmt::format("the angles of `{}` must end at 90 deg, not at {}", axis.name, end));
 }
 
+/// What the solvers of a BRDF can fill.
+void check_grid(const Value& where, const TableRequest& request)
+{
+    const Grid& grid = *request.grid;
+    if (grid.kind != GridKind::isotropic || grid.axes[0].samples != Samples::centre)
+        where.fail(
+            "layers have their BRDF on a grid of kind = \"isotropic\" with samples = "
+            "\"centre\"");
+    const Axis& azimuth = grid.axes[2];
+    const bool whole_turn = azimuth.values.front() + azimuth.values.back() > 270;
+    if (request.solver == "monte_carlo" && whole_turn && azimuth.values.size() % 2 != 0)
+        where.fail("bins over 360 deg of `delta_phi` must be even in number, or end at 180 deg");
+}
+
+/// A list of incident directions.
+void check_cosines(const Section& table, TableRequest& request)
+{
+    const Value where = table.at("axes");
+    if (request.axes.size() != 1 || request.axes[0].name != "mu")
+        where.fail(
+            "the quantity `directional_albedo` of layers needs axes = { mu = { to = 1, "
+            "count = … } }");
+    request.axes[0].unit = request.quantity->axes[0].unit;
+    for (const double mu : request.axes[0].values)
+        if (!(mu > 0 && mu <= 1))
+            where.fail(
+                fmt::format("`mu` is {}; the cosine of an incident direction must be above "
+                            "0 and at most 1",
+                            mu));
+}
+
+/// Which light, and what it needs. A quantity with directions of its own has no other.
+void read_light(const Section& table, TableRequest& request)
+{
+    LightSource& light = request.light;
+    const std::string_view id = request.quantity->id;
+    if (id == "brdf" || id == "directional_albedo" || id == "mean_albedo") {
+        if (id == "mean_albedo") light.beam = Beam::diffuse;
+        for (const auto key : {"light", "theta_i", "radius"})
+            if (const auto value = table.find(key))
+                value->fail(fmt::format(
+                    "the quantity `{}` says itself how light comes in and has no `{}`", id, key));
+        return;
+    }
+    static const std::vector<std::string_view> beams = {"beam", "gaussian", "top_hat", "diffuse"};
+    if (const auto beam = table.find("light")) light.beam = static_cast<Beam>(beam->choice(beams));
+    if (const auto theta = table.find("theta_i")) {
+        if (light.beam == Beam::diffuse)
+            theta->fail("`theta_i` is for a beam, not for diffuse light");
+        light.incidence = theta->number(0, std::nextafter(90.0, 0.0)) * std::numbers::pi / 180;
+    }
+    const bool wide = light.beam == Beam::gaussian || light.beam == Beam::top_hat;
+    if (wide) light.radius = table.at("radius").number(0, 1e6);
+    const auto radius = table.find("radius");
+    if (radius && !wide)
+        radius->fail("`radius` is for light = \"gaussian\" and light = \"top_hat\"");
+}
+
 void read_bins(const Section& table, TableRequest& request)
 {
     const Quantity& quantity = *request.quantity;
@@ -59,18 +117,17 @@ void read_bins(const Section& table, TableRequest& request)
 
 void read_light_request(const Section& table, TableRequest& request)
 {
-    if (const auto grid = table.find("grid"))
-        grid->fail(fmt::format("the quantity `{}` has no `grid`", request.quantity->id));
-    if (const auto light = table.find("light"))
-        request.light.diffuse = light->choice({"beam", "diffuse"}) == 1;
-    if (const auto theta = table.find("theta_i")) {
-        if (request.light.diffuse) theta->fail("`theta_i` is for a beam, not for diffuse light");
-        const double below_90 = std::nextafter(90.0, 0.0);
-        request.light.incidence = theta->number(0, below_90) * std::numbers::pi / 180;
-    }
+    const Quantity& quantity = *request.quantity;
+    if (const auto grid = table.find("grid"); grid && !quantity.on_grid())
+        grid->fail(fmt::format("the quantity `{}` has no `grid`", quantity.id));
+    if (quantity.on_grid()) check_grid(table.at("grid"), request);
+    read_light(table, request);
     if (const auto seed = table.find("seed"))
         request.seed = seed->count(0, std::numeric_limits<std::int64_t>::max());
-    read_bins(table, request);
+    if (quantity.id == "directional_albedo")
+        check_cosines(table, request);
+    else if (!quantity.on_grid())
+        read_bins(table, request);
     if (request.solver != "adding_doubling") return;
     for (const auto key : {"time", "photons", "seed"})
         if (const auto value = table.find(key))

@@ -59,7 +59,7 @@ Budget read_budget(const Section& table)
 void check_solver(const Section& table, const TableRequest& request)
 {
     if (request.quantity->of == Substance::layers) return;
-    for (const auto key : {"light", "theta_i", "seed"})
+    for (const auto key : {"light", "theta_i", "radius", "seed"})
         if (const auto value = table.find(key))
             value->fail(fmt::format("`{}` is for tables of layers, not of a surface", key));
     const auto needed = request.quantity->on_grid() ? "grid" : "axes";
@@ -156,8 +156,9 @@ std::vector<TableRequest> read_table_requests(const Value& value,
                                               const Storage& storage)
 {
     const Section table(value);
-    table.allow({"material", "name", "quantity", "grid", "axes", "light", "theta_i", "seed",
-                 "solver", "max_error", "time", "photons", "format", "precision", "compression"});
+    table.allow({"material", "name", "quantity", "grid", "axes", "light", "theta_i", "radius",
+                 "seed", "solver", "max_error", "time", "photons", "format", "precision",
+                 "compression"});
     if (const auto material = table.find("material"))
         return {read_request(table, find_material(*material, materials), materials, storage)};
     std::vector<TableRequest> requests;

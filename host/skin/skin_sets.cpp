@@ -56,8 +56,8 @@ Attributes attributes_of(const SkinTask& task, const std::vector<SkinSpectrum>& 
                    {"citation", model.citation},
                    {"solver", std::string("adding_doubling")},
                    {"max_error", task.tolerance},
-                   {"light", std::string(task.light.diffuse ? "diffuse" : "beam")}};
-    if (!task.light.diffuse) {
+                   {"light", std::string(task.light.beam == Beam::diffuse ? "diffuse" : "beam")}};
+    if (task.light.beam != Beam::diffuse) {
         all.emplace_back("theta_i", task.light.incidence * 180 / std::numbers::pi);
         all.emplace_back("theta_i.unit", std::string("deg"));
     }

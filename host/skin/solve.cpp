@@ -115,8 +115,8 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
     const std::size_t each = wavelengths.size();
     skin::in_parallel(problem.size(), [&](std::size_t k) {
         const auto solution = problem.solve(k, rule.nodes);
-        store((light.diffuse ? solution.diffuse : solution.collimated[0]).budget, k % each,
-              spectra[k / each]);
+        store((light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget,
+              k % each, spectra[k / each]);
     });
     return spectra;
 }

@@ -63,10 +63,16 @@ struct LayeredMedium {
     double bottom_albedo = 0;  ///< of the diffuse bottom, in [0, 1]
 };
 
+/// How light comes in: as a beam without width at r = 0, a beam of Gaussian or of even irradiance
+/// around r = 0, or as Lambertian light.
+enum class Beam { pencil, gaussian, top_hat, diffuse };
+
 /// Light of unit flux that comes from above.
 struct LightSource {
-    bool diffuse = false;  ///< Lambertian light, else a beam at r = 0
-    double incidence = 0;  ///< of the beam, towards +x; rad from the normal, in [0, pi / 2)
+    Beam beam = Beam::pencil;
+    double incidence = 0;  ///< of a beam, towards +x; rad from the normal, in [0, pi / 2)
+    /// Across a beam, cm: where a Gaussian has fallen to 1/e^2, or the edge of an even one.
+    double radius = 0;
 };
 
 /// Throws UsageError with the layer (counted from 1), the value and what is allowed, unless light

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "gonio/device.hpp"
@@ -13,17 +15,25 @@
 
 namespace gonio {
 
+/// By what light that leaves is told apart besides its angle: the distance from the axis; the
+/// azimuth, 0 to 180 degrees on either side of where the beam goes, without unscattered light; or
+/// the time since it entered the first layer.
+enum class ExitRow { radius, azimuth, time };
+
 /// Bins of what is tallied, even and from 0 on. A tally that is not asked for is not computed.
-/// Radii and depths beyond the bins have one more bin for themselves, angles reach to 90 degrees.
+/// Radii, times and depths beyond the bins have one more bin for themselves, angles reach to 90
+/// degrees.
 struct PhotonTallies {
-    bool reflected = false;    ///< [radius][angle]
-    bool transmitted = false;  ///< [radius][angle], what was never scattered included
+    bool reflected = false;    ///< [row][angle]
+    bool transmitted = false;  ///< [row][angle], what was never scattered included
     bool absorbed = false;     ///< [depth][absorbed radius]
+    ExitRow row = ExitRow::radius;
     double radius_width = 0.01, depth_width = 0.01;  ///< cm
-    std::size_t radii = 0, angles = 1;               ///< of reflected and transmitted; angles >= 1
+    double time_width = 1;                           ///< ps
+    std::size_t rows = 0, angles = 1;                ///< of reflected and transmitted; angles >= 1
     std::size_t depths = 0, absorbed_radii = 0;
 
-    std::size_t exit_bins() const { return (radii + 1) * angles; }
+    std::size_t exit_bins() const { return (rows + 1) * angles; }
     std::size_t absorbed_bins() const { return (depths + 1) * (absorbed_radii + 1); }
 };
 
@@ -60,8 +70,8 @@ struct PhotonResult {
 /// The simulation of one request, which goes on as long as it is asked to.
 class PhotonTracer {
 public:
-    /// Throws UsageError as validate() does, for an incidence out of range, for a tabulated phase
-    /// function, and where the tallies do not fit into the device's memory.
+    /// Throws UsageError as validate() does, for an incidence or a radius out of range, and where
+    /// the tallies do not fit into the device's memory.
     PhotonTracer(const Device& device, const LayeredMedium& medium, const PhotonRequest& request);
     ~PhotonTracer();
     PhotonTracer(const PhotonTracer&) = delete;
@@ -75,6 +85,12 @@ public:
 
     /// Of all photons so far.
     PhotonResult result() const;
+
+    /// Everything that it would take to go on later.
+    std::string state() const;
+    /// Goes on from a state of a tracer of the same medium and request, on any device. Throws
+    /// UsageError where it is not one.
+    void restore(std::string_view state);
 
     double kernel_seconds() const;  ///< by the device's clock
 

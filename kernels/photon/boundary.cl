@@ -48,14 +48,24 @@ static inline void meet_bottom(packet* p, mask_t lanes, word bits_cosine, word b
 #endif
 
 #if REFLECTED || TRANSMITTED
-/// Adds what leaves to bins [radius][angle] that begin at `first`.
-static inline void count_exits(const packet* p, mask_t lanes, uint first, uint radius_bins,
-                               uint angle_bins, const scene* s)
+/// The row of the bins in which light leaves.
+static inline word exit_row(const packet* p, const scene* s)
+{
+#if ROW == 0
+    return radius_bin(p->x, p->y, s->row_bins_per_unit, ROWS);
+#elif ROW == 1
+    return azimuth_bin(p->u.x, p->u.y, ROWS);
+#else
+    return bin_of(p->optical_path, s->row_bins_per_unit, ROWS);
+#endif
+}
+
+/// Adds what leaves to bins [row][angle] that begin at `first`.
+static inline void count_exits(const packet* p, mask_t lanes, uint first, const scene* s)
 {
     uint weights[WIDTH], bins[WIDTH];
     const real sine = sqrt(fma(p->u.x, p->u.x, square(p->u.y)));
-    const word radius = radius_bin(p->x, p->y, s->radius_bins_per_cm, radius_bins);
-    store_words(radius * angle_bins + angle_bin(sine, fabs(p->u.z), angle_bins), bins);
+    store_words(exit_row(p, s) * ANGLES + angle_bin(sine, fabs(p->u.z), ANGLES), bins);
     store_words(choose_word(lanes, p->weight, (word)(0)), weights);
     FOR_LANES(i)
     {
@@ -73,7 +83,10 @@ static inline void leave_above(packet* p, mask_t lanes, const scene* s)
 #endif
     count_total(p->weight, lanes, total_reflected, s);
 #if REFLECTED
-    count_exits(p, lanes, FIRST_REFLECTED, RADIUS_BINS, ANGLE_BINS, s);
+#if ROW == 1
+    lanes &= p->scattered;
+#endif
+    count_exits(p, lanes, FIRST_REFLECTED, s);
 #endif
 }
 
@@ -82,7 +95,10 @@ static inline void leave_below(packet* p, mask_t lanes, const scene* s)
     count_total(p->weight, lanes & not_(p->scattered), total_unscattered, s);
     count_total(p->weight, lanes & p->scattered, total_transmitted, s);
 #if TRANSMITTED
-    count_exits(p, lanes, FIRST_TRANSMITTED, RADIUS_BINS, ANGLE_BINS, s);
+#if ROW == 1
+    lanes &= p->scattered;
+#endif
+    count_exits(p, lanes, FIRST_TRANSMITTED, s);
 #endif
 }
 

@@ -33,8 +33,26 @@ static inline uint take_photon(supply* from)
 typedef struct {
     float sine, cosine;
     uint weight;
-    float ratio, excess;  ///< as a layer's, from above into the first layer
+    float ratio, excess;       ///< as a layer's, from above into the first layer
+    float radius_x, radius_y;  ///< of the beam's ellipse on the surface, cm
 } source;
+
+#if SOURCE == 1 || SOURCE == 2
+/// Where a beam that is not a pencil meets the surface. A Gaussian has fallen to 1/e^2 at its
+/// radius.
+static inline void spread(const source* light, stream* random, real* x, real* y)
+{
+    const real u = uniform_of(next_word(random));
+#if SOURCE == 1
+    const real distance = sqrt(R(-0.5) * log_of_positive(u));
+#else
+    const real distance = sqrt(u);
+#endif
+    const azimuth about = even_azimuth(next_word(random));
+    *x = distance * about.cosine * light->radius_x;
+    *y = distance * about.sine * light->radius_y;
+}
+#endif
 
 /// Starts photons in the lanes that have none, as long as there are some.
 static inline void launch(packet* p, supply* from, const source* light, const scene* s)
@@ -50,7 +68,10 @@ static inline void launch(packet* p, supply* from, const source* light, const sc
     stream random = numbered_stream(from->first, offset, from->seed);
     direction u = {(real)(light->sine), (real)(R(0.0)), (real)(light->cosine)};
     word weight = (word)(light->weight);
-#if DIFFUSE_SOURCE
+    real x = (real)(R(0.0)), y = (real)(R(0.0));
+#if SOURCE == 1 || SOURCE == 2
+    spread(light, &random, &x, &y);
+#elif SOURCE == 3
     const real sine2 = uniform_of(next_word(&random));
     const refraction at =
         refracted(sqrt(R(1.0) - sine2), (real)(light->ratio), (real)(light->excess));
@@ -61,10 +82,12 @@ static inline void launch(packet* p, supply* from, const source* light, const sc
     u.x = sqrt(sine2) * light->ratio;
     u.z = at.cosine;
 #endif
-    const real zero = (real)(R(0.0));
-    p->x = choose(starts, zero, p->x);
-    p->y = choose(starts, zero, p->y);
-    p->z = choose(starts, zero, p->z);
+    p->x = choose(starts, x, p->x);
+    p->y = choose(starts, y, p->y);
+    p->z = choose(starts, (real)(R(0.0)), p->z);
+#if ROW == 2
+    p->optical_path = choose(starts, (real)(R(0.0)), p->optical_path);
+#endif
     p->u.x = choose(starts, u.x, p->u.x);
     p->u.y = choose(starts, u.y, p->u.y);
     p->u.z = choose(starts, u.z, p->u.z);

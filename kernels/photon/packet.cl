@@ -3,9 +3,11 @@
 // they are in. Options of the program, with what they mean:
 //   - LAYERS: how many; EACH_LAYER(DO): DO(0) DO(1) and so on, since loops over them crash PoCL 3.1
 //   - BOTTOM: 0 open, 1 mirror, 2 diffuse (a black one has an albedo of 0)
-//   - DIFFUSE_SOURCE: Lambertian light instead of a beam
+//   - SOURCE: 0 a pencil beam, 1 a Gaussian and 2 an even one, 3 Lambertian light
 //   - CLEAR_TOP: the first layer neither absorbs nor scatters
-//   - REFLECTED, TRANSMITTED: tally by [radius][angle]; ABSORBED by [depth][radius]
+//   - REFLECTED, TRANSMITTED: tally by [row][angle]; ABSORBED by [depth][radius]
+//   - ROW: what rows are, 0 distance from the axis, 1 azimuth, 2 length of the optical path; by
+//     azimuth only what was scattered is told apart
 #ifndef GONIO_PHOTON_PACKET
 #define GONIO_PHOTON_PACKET
 #include "photon/phase.cl"
@@ -18,8 +20,8 @@
 #ifndef BOTTOM
 #define BOTTOM 0
 #endif
-#ifndef DIFFUSE_SOURCE
-#define DIFFUSE_SOURCE 0
+#ifndef SOURCE
+#define SOURCE 0
 #endif
 #ifndef CLEAR_TOP
 #define CLEAR_TOP 0
@@ -32,6 +34,9 @@
 #endif
 #ifndef ABSORBED
 #define ABSORBED 0
+#endif
+#ifndef ROW
+#define ROW 0
 #endif
 
 #define WHOLE_PHOTON 1073741824u
@@ -52,14 +57,17 @@ typedef struct {
 #if ABSORBED
     real top;
 #endif
+#if ROW == 2
+    real index, optical_path;
+#endif
     phase_function phase;
 } packet;
 
 /// What all photons of a launch share.
 typedef struct {
     global ulong* tallies;
-    global const float* layers;
-    float radius_bins_per_cm, depth_bins_per_cm;
+    global const float *layers, *phases;
+    float row_bins_per_unit, radius_bins_per_cm, depth_bins_per_cm;
 } scene;
 
 static inline float layer_value(const scene* s, int layer, int field)
@@ -77,6 +85,11 @@ static inline void look_up_layer(packet* p, mask_t lanes, const scene* s)
 #else
 #define LOOK_UP_TOP(k)
 #endif
+#if ROW == 2
+#define LOOK_UP_INDEX(k) LOOK_UP(k, p->index, index)
+#else
+#define LOOK_UP_INDEX(k)
+#endif
 #if TWO_TERMS
 #define LOOK_UP_TERMS(k) LOOK_UP(k, p->phase.g_2, g_2) LOOK_UP(k, p->phase.weight_1, weight_1)
 #else
@@ -87,14 +100,21 @@ static inline void look_up_layer(packet* p, mask_t lanes, const scene* s)
 #else
 #define LOOK_UP_RAYLEIGH(k)
 #endif
-#define LOOK_UP_LAYER(k)                                          \
-    {                                                             \
-        const mask_t here = lanes & equal(p->layer, (mask_t)(k)); \
-        LOOK_UP(k, p->mean_free_path, mean_free_path)             \
-        LOOK_UP(k, p->absorbed, absorbed)                         \
-        LOOK_UP(k, p->thickness, thickness)                       \
-        LOOK_UP(k, p->phase.g_1, g_1)                             \
-        LOOK_UP_TOP(k) LOOK_UP_TERMS(k) LOOK_UP_RAYLEIGH(k)       \
+#if TABULATED
+#define LOOK_UP_TABLE(k)                              \
+    LOOK_UP(k, p->phase.first_segment, first_segment) \
+    LOOK_UP(k, p->phase.segments, segments)
+#else
+#define LOOK_UP_TABLE(k)
+#endif
+#define LOOK_UP_LAYER(k)                                                                      \
+    {                                                                                         \
+        const mask_t here = lanes & equal(p->layer, (mask_t)(k));                             \
+        LOOK_UP(k, p->mean_free_path, mean_free_path)                                         \
+        LOOK_UP(k, p->absorbed, absorbed)                                                     \
+        LOOK_UP(k, p->thickness, thickness)                                                   \
+        LOOK_UP(k, p->phase.g_1, g_1)                                                         \
+        LOOK_UP_TOP(k) LOOK_UP_INDEX(k) LOOK_UP_TERMS(k) LOOK_UP_RAYLEIGH(k) LOOK_UP_TABLE(k) \
     }
     EACH_LAYER(LOOK_UP_LAYER)
 }

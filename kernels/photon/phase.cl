@@ -5,12 +5,16 @@
 #define GONIO_PHOTON_PHASE
 #include "core/math.cl"
 #include "core/random.cl"
+#include "gonio/shared/photon_fields.h"
 
 #ifndef TWO_TERMS
 #define TWO_TERMS 0
 #endif
 #ifndef RAYLEIGH
 #define RAYLEIGH 0
+#endif
+#ifndef TABULATED
+#define TABULATED 0
 #endif
 
 /// The phase function of the layer that each lane is in.
@@ -21,6 +25,9 @@ typedef struct {
 #endif
 #if RAYLEIGH
     real rayleigh;
+#endif
+#if TABULATED
+    real first_segment, segments;  ///< whole numbers; no segments where there is no table
 #endif
 } phase_function;
 
@@ -53,7 +60,41 @@ static inline polar rayleigh_angle(real u)
     return result;
 }
 
-static inline polar scattering_angle(const phase_function* phase, real u)
+#if TABULATED
+/// A density that is linear between cosines. Which segment: Walker's aliases (Vose, IEEE Trans.
+/// Software Eng. 17, 1991), one lane after the other; where in it: its distribution inverted.
+static inline polar tabulated_angle(const phase_function* phase, real u, word bits,
+                                    global const float* segments)
+{
+    uint words[WIDTH], firsts[WIDTH], counts[WIDTH], low[WIDTH], high[WIDTH], end[WIDTH],
+        width[WIDTH];
+    store_words(bits, words);
+    store_words(word_of(phase->first_segment), firsts);
+    store_words(word_of(phase->segments), counts);
+    for (uint i = 0; i < WIDTH; ++i) {
+        const ulong place = (ulong)words[i] * counts[i];
+        global const float* segment = segments + (firsts[i] + (uint)(place >> 32)) * segment_fields;
+        const float part = convert_float((uint)place >> 8) * 5.9604644775390625e-8f;
+        if (!(part < segment[segment_share]))
+            segment = segments + (firsts[i] + (uint)segment[segment_alias]) * segment_fields;
+        low[i] = as_uint(segment[segment_low]);
+        high[i] = as_uint(segment[segment_high]);
+        end[i] = as_uint(segment[segment_end]);
+        width[i] = as_uint(segment[segment_width]);
+    }
+    const real a = as_real(load_words(low)), b = as_real(load_words(high));
+    const real root = sqrt(fma(square(b) - square(a), u, square(a)));
+    const real part = (a + b) * u / max(a + root, (real)(R(1e-30)));
+    const real below_one = fma(max(R(1.0) - part, (real)(R(0.0))), as_real(load_words(width)),
+                               as_real(load_words(end)));
+    const polar result = {R(1.0) - below_one,
+                          sqrt(max(below_one * (R(2.0) - below_one), (real)(R(0.0))))};
+    return result;
+}
+#endif
+
+static inline polar scattering_angle(const phase_function* phase, real u, stream* random,
+                                     global const float* segments)
 {
 #if TWO_TERMS
     const real w = phase->weight_1;
@@ -68,6 +109,12 @@ static inline polar scattering_angle(const phase_function* phase, real u)
     const mask_t is_other = less((real)(R(0.5)), phase->rayleigh);
     at.cosine = choose(is_other, other.cosine, at.cosine);
     at.sine = choose(is_other, other.sine, at.sine);
+#endif
+#if TABULATED
+    const polar table = tabulated_angle(phase, u, next_word(random), segments);
+    const mask_t has_table = less((real)(R(0.5)), phase->segments);
+    at.cosine = choose(has_table, table.cosine, at.cosine);
+    at.sine = choose(has_table, table.sine, at.sine);
 #endif
     return at;
 }

@@ -35,6 +35,14 @@ static inline word radius_bin(real x, real y, float bins_per_unit, uint count)
     return bin_of(sqrt(fma(x, x, y * y)), bins_per_unit, count);
 }
 
+/// Even bins of the azimuth, 0 to 180 degrees on either side of +x.
+static inline word azimuth_bin(real x, real y, uint count)
+{
+    const real angle = angle_of(fabs(y), fabs(x));
+    const real part = choose(less(x, (real)(R(0.0))), PI - angle, angle) / PI;
+    return word_of(min(part * (float)count, (real)((float)(count - 1))));
+}
+
 /// Even bins of the angle to the normal; sine and cosine are at least 0.
 static inline word angle_bin(real sine, real cosine, uint count)
 {

@@ -64,6 +64,9 @@ static inline void make_step(packet* p, float bottom_albedo, const scene* s)
     p->y = fma(p->u.y, path, p->y);
     p->z = fma(p->u.z, path, p->z);
     p->steps += 1;
+#if ROW == 2
+    p->optical_path = fma(p->index, path, p->optical_path);
+#endif
 
     // What is absorbed is rounded up or down by chance, so that its mean is exact.
     const word chance = (bits_path & 255) << 8 | (bits_cosine & 255);
@@ -74,8 +77,8 @@ static inline void make_step(packet* p, float bottom_albedo, const scene* s)
     p->deposited += amount;
     count_absorbed(p, amount, s);
 
-    const direction u = turned(p->u, scattering_angle(&p->phase, uniform_of(bits_cosine)),
-                               even_azimuth(bits_azimuth));
+    const polar by = scattering_angle(&p->phase, uniform_of(bits_cosine), &p->random, s->phases);
+    const direction u = turned(p->u, by, even_azimuth(bits_azimuth));
     p->u.x = choose(inside, u.x, p->u.x);
     p->u.y = choose(inside, u.y, p->u.y);
     p->u.z = choose(inside, u.z, p->u.z);
@@ -94,19 +97,19 @@ static inline void make_step(packet* p, float bottom_albedo, const scene* s)
 /// Follows photons first to first + count - 1, `count` of which other launches may share. tallies:
 /// sums as photon_fields.h says, one set for each work-item unless they share one; taken: 0.
 kernel void transport(global ulong* restrict tallies, global uint* restrict taken,
-                      global const float* restrict layers, const uint sums, const ulong first,
-                      const uint count, const ulong seed, const float sine, const float cosine,
-                      const uint weight, const float ratio, const float excess,
-                      const float bottom_albedo, const float radius_bins_per_cm,
-                      const float depth_bins_per_cm)
+                      global const float* restrict layers, global const float* restrict phases,
+                      const uint sums, const ulong first, const uint count, const ulong seed,
+                      const float sine, const float cosine, const uint weight, const float ratio,
+                      const float excess, const float radius_x, const float radius_y,
+                      const float bottom_albedo, const float row_bins_per_unit,
+                      const float radius_bins_per_cm, const float depth_bins_per_cm)
 {
-    const source light = {sine, cosine, weight, ratio, excess};
-#if SHARED_TALLIES
-    const scene s = {tallies, layers, radius_bins_per_cm, depth_bins_per_cm};
-#else
-    const scene s = {tallies + get_global_id(0) * sums, layers, radius_bins_per_cm,
-                     depth_bins_per_cm};
+    const source light = {sine, cosine, weight, ratio, excess, radius_x, radius_y};
+#if !SHARED_TALLIES
+    tallies += get_global_id(0) * sums;
 #endif
+    const scene s = {tallies,          layers, phases, row_bins_per_unit, radius_bins_per_cm,
+                     depth_bins_per_cm};
     supply from = {taken, 0, 0, count, first, seed};
     const real zero = (real)(R(0.0));
     const word none = (word)(0);
@@ -114,6 +117,9 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
     p.x = p.y = p.z = p.u.x = p.u.y = zero;
     p.u.z = (real)(R(1.0));
     p.weight = p.deposited = none;
+#if ROW == 2
+    p.optical_path = zero;
+#endif
     p.layer = p.steps = p.scattered = (mask_t)(0);
 #if CLEAR_TOP
     p.met_matter = (mask_t)(0);

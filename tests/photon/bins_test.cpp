@@ -81,7 +81,7 @@ TEST(PhotonBins, AgreeWithTheScalarMonteCarlo)
                        .absorbed = true,
                        .radius_width = 0.05,
                        .depth_width = 0.05,
-                       .radii = 5,
+                       .rows = 5,
                        .depths = 7,
                        .absorbed_radii = 5};
     const PhotonResult result = simulate_photons(medium, request, photons);
@@ -108,7 +108,7 @@ TEST(PhotonBins, AddUpToTheTotals)
     PhotonRequest request = photon_request(photons);
     request.tallies = {.reflected = true,
                        .absorbed = true,
-                       .radii = 10,
+                       .rows = 10,
                        .angles = 9,
                        .depths = 30,
                        .absorbed_radii = 10};

@@ -5,7 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
 
 #include "gonio/errors.hpp"
 #include "photon/bins.hpp"
@@ -82,7 +85,7 @@ TEST_F(LightTables, IntegrateToTheTotals)
 TEST_F(LightTables, StopAtTheirBudget)
 {
     const std::string bins =
-        "quantity = \"reflectance_alpha\"\n"
+        "quantity = \"reflectance_alpha\"\nsolver = \"monte_carlo\"\n"
         "axes = { alpha = { to = 90, count = 3 } }\n";
     Job missed = job(bins + "max_error = 1e-5\nphotons = 1e4\n");
     EXPECT_THROW(make(missed), RunError);
@@ -93,6 +96,42 @@ TEST_F(LightTables, StopAtTheirBudget)
     EXPECT_LE(exact.error, 0.01);
     EXPECT_EQ(exact.photons % (1 << 15), 0U);
     EXPECT_GT(make(job(bins + "time = \"0.1 s\"\n")).photons, 0U);
+}
+
+std::string bytes_of(const std::filesystem::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Interrupted after each launch, over and over; a broken checkpoint is no checkpoint.
+TEST_F(LightTables, GoOnToTheSameBytes)
+{
+    const Job whole =
+        job("quantity = \"brdf\"\nsolver = \"monte_carlo\"\nphotons = 1e6\n"
+            "grid = { kind = \"isotropic\", theta_i = 3, theta_o = 3, delta_phi = 4 }\n");
+    make(whole);
+    const std::string expected = bytes_of(whole.path),
+                      checkpoint = whole.path.string() + ".checkpoint";
+    std::filesystem::remove(whole.path);
+    std::ofstream(checkpoint) << "broken";
+    int interruptions = 0;
+    for (bool finished = false; !finished;) {
+        int launches = 0;
+        try {
+            make_light_table(Device(), whole, [&](const LightProgress&) {
+                if (++launches == (interruptions < 3 ? 2 : 40))
+                    throw std::runtime_error("interrupted");
+            });
+            finished = true;
+        } catch (const std::runtime_error&) {
+            ++interruptions;
+            EXPECT_TRUE(std::filesystem::exists(checkpoint));
+        }
+    }
+    EXPECT_GT(interruptions, 2);
+    EXPECT_EQ(bytes_of(whole.path), expected);
+    EXPECT_FALSE(std::filesystem::exists(checkpoint));
 }
 
 TEST(LightBins, CoverTheHemisphereAndTheDisc)

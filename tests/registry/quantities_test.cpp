@@ -23,7 +23,7 @@ TEST(Quantities, AreComplete)
     }
     EXPECT_TRUE(find_quantity("brdf", Substance::surface).on_grid());
     EXPECT_EQ(find_quantity("brdf_cosine", Substance::surface).unit, "1/sr");
-    EXPECT_THROW(find_quantity("brdf", Substance::layers), UsageError);
+    EXPECT_THROW(find_quantity("dfg", Substance::layers), UsageError);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void compare(const std::string& file, std::size_t photons, const LightSource& li
 TEST(SkinSpectra, AgreeWithMonteCarlo)
 {
     compare("layers/skin_monte_carlo_normal.csv", 200'000, {});
-    compare("layers/skin_monte_carlo_diffuse.csv", 100'000, {.diffuse = true});
+    compare("layers/skin_monte_carlo_diffuse.csv", 100'000, {.beam = Beam::diffuse});
 }
 
 TEST(SkinSpectra, KeepTheirErrorBoundAndTheEnergy)

@@ -9,27 +9,6 @@
 namespace gonio::reference {
 namespace {
 
-/// A phase function without its peaks.
-struct Truncated {
-    double forward, backward;  ///< fractions in the deltas
-    Eigen::VectorXd moments;   ///< of the smooth rest
-};
-
-/// Wiscombe 1977, section 2, with a backward delta beside the forward one, so that g < 0 converges
-/// as g > 0 does: moments `terms`, which is even, and `terms` + 1 are matched too.
-Truncated truncate(const PhaseFunction& phase, int terms)
-{
-    const Eigen::VectorXd moments = legendre_moments(phase, terms + 2);
-    const double forward = (moments(terms) + moments(terms + 1)) / 2;
-    const double backward = (moments(terms) - moments(terms + 1)) / 2;
-    Eigen::VectorXd rest = moments.head(terms);
-    for (int l = 0; l < terms; ++l) {
-        const double sign = l % 2 == 0 ? 1 : -1;
-        rest(l) = (rest(l) - forward - sign * backward) / (1 - forward - backward);
-    }
-    return {forward, backward, rest};
-}
-
 /// Associated Legendre functions sqrt((l - m)! / (l + m)!) P_l^m without their sign, one row for
 /// each l below `terms`.
 Eigen::MatrixXd legendre_functions(const Eigen::ArrayXd& cosine, int terms, int mode)
@@ -69,14 +48,30 @@ void conserve_energy(const LocalDirections& directions, Redistribution& p)
 
 }  // namespace
 
-Redistribution redistribute(const Layer& layer, const LocalDirections& directions, int mode)
+// Wiscombe 1977, section 2, with a backward delta beside the forward one, so that g < 0 converges
+// as g > 0 does: the first two moments beyond the `terms` are matched too.
+TruncatedPhase truncate(const PhaseFunction& phase, const LocalDirections& directions)
 {
     // More terms make the truncated peaks smaller, but the quadrature must integrate their
     // products.
     constexpr double terms_per_node = 1.25;
     const int terms =
         2 * static_cast<int>(std::lround(terms_per_node * double(directions.quadrature) / 2));
-    const Truncated phase = truncate(layer.phase, terms);
+    const Eigen::VectorXd moments = legendre_moments(phase, terms + 2);
+    const double forward = (moments(terms) + moments(terms + 1)) / 2;
+    const double backward = (moments(terms) - moments(terms + 1)) / 2;
+    Eigen::VectorXd rest = moments.head(terms);
+    for (int l = 0; l < terms; ++l) {
+        const double sign = l % 2 == 0 ? 1 : -1;
+        rest(l) = (rest(l) - forward - sign * backward) / (1 - forward - backward);
+    }
+    return {forward, backward, rest};
+}
+
+Redistribution redistribute(const Layer& layer, const LocalDirections& directions, int mode)
+{
+    const TruncatedPhase phase = truncate(layer.phase, directions);
+    const int terms = static_cast<int>(phase.moments.size());
     const Eigen::MatrixXd y = legendre_functions(directions.cosine, terms, mode);
 
     // The addition theorem. P_l^m(-mu) is P_l^m(mu) times the parity of l + m.
@@ -88,8 +83,7 @@ Redistribution redistribute(const Layer& layer, const LocalDirections& direction
         return part.transpose() * scale(rows).asDiagonal() * part;
     };
     const Eigen::MatrixXd even = of_parity(0), odd = of_parity(1);
-    const double rest = 1 - phase.forward - phase.backward;
-    Redistribution p{layer.mus * rest, layer.mus * phase.backward, even + odd, even - odd};
+    Redistribution p{layer.mus * phase.rest(), layer.mus * phase.backward, even + odd, even - odd};
     if (mode == 0) conserve_energy(directions, p);
     return p;
 }

@@ -9,6 +9,15 @@
 
 namespace gonio::reference {
 
+/// A phase function without its peaks, as far as a layer's directions can integrate it.
+struct TruncatedPhase {
+    double forward, backward;  ///< fractions in deltas straight on and straight back
+    Eigen::VectorXd moments;   ///< Legendre moments of the smooth rest, the first 1
+
+    double rest() const { return 1 - forward - backward; }
+};
+TruncatedPhase truncate(const PhaseFunction& phase, const LocalDirections& directions);
+
 /// Peaks of the phase function that are too narrow for the quadrature are deltas: what they scatter
 /// forward counts as not scattered, what they scatter straight back as retro-reflected.
 struct Redistribution {

@@ -20,7 +20,22 @@ enum layer_field {
     layer_g_2,       ///< of the second
     layer_weight_1,  ///< of the first, in [0, 1]
     layer_rayleigh,  ///< 1 where the phase function is Rayleigh's, else 0
+    layer_index,
+    layer_first_segment,  ///< of a tabulated phase function
+    layer_segments,       ///< how many; 0 where there is none
     layer_fields
+};
+
+/// Per segment of a tabulated phase function between two cosines. One that is drawn evenly counts
+/// with a probability of its share, else its alias does.
+enum segment_field {
+    segment_share,
+    segment_alias,  ///< counted from the first segment of its table
+    segment_low,    ///< density at the lower cosine, of any scale
+    segment_high,   ///< at the upper one
+    segment_end,    ///< 1 minus the upper cosine
+    segment_width,  ///< difference of the cosines
+    segment_fields
 };
 
 /// Where weight ends, in units of 2^-30 photons; behind these, what each layer absorbs, and then

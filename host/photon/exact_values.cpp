@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quantities of layers by adding-doubling, without noise.
+#include "photon/exact_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "photon/bins.hpp"
+#include "photon/mean_path.hpp"
+#include "reference/adding_doubling.hpp"
+#include "reference/gauss_legendre.hpp"
+#include "reference/layered_brdf.hpp"
+
+namespace gonio {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double budget_tolerance = 1e-6;
+constexpr double angular_tolerance = 1e-4;  // of the largest value
+constexpr double brdf_tolerance = 1e-3;
+
+const reference::Illumination& lit(const LightJob& light,
+                                   const reference::LayeredSolution& solution)
+{
+    return light.light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0];
+}
+
+double tolerance(const LightJob& light, double otherwise)
+{
+    return light.budget.max_error.value_or(otherwise);
+}
+
+ExactValues budget(const LightJob& light)
+{
+    const auto solution = reference::solve_layers_to(
+        light.medium, {.incidence = {light.light.incidence}}, tolerance(light, budget_tolerance));
+    ExactValues result{{}, solution.nodes};
+    for (const double part : parts_of(lit(light, solution).budget))
+        result.values.push_back({part, solution.error});
+    return result;
+}
+
+double albedo(const reference::LightBudget& budget)
+{
+    return budget.specular + budget.diffuse_reflectance;
+}
+
+ExactValues mean_albedo(const LightJob& light)
+{
+    const auto solution =
+        reference::solve_layers_to(light.medium, {}, tolerance(light, budget_tolerance));
+    return {{{albedo(solution.diffuse.budget), solution.error}}, solution.nodes};
+}
+
+ExactValues directional_albedo(const LightJob& light, const Axis& cosines)
+{
+    reference::LightRequest request;
+    for (const double mu : cosines.values) request.incidence.push_back(std::acos(mu));
+    const auto solution =
+        reference::solve_layers_to(light.medium, request, tolerance(light, budget_tolerance));
+    ExactValues result{{}, solution.nodes};
+    for (const reference::Illumination& one : solution.collimated)
+        result.values.push_back({albedo(one.budget), solution.error});
+    return result;
+}
+
+ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes)
+{
+    const auto radians = [](const Axis& axis, double zero) {
+        std::vector<double> angles;
+        for (const double degrees : axis.values) angles.push_back((degrees - zero) * pi / 180);
+        return angles;
+    };
+    const auto brdf =
+        reference::layered_brdf_to(light.medium, radians(axes[0], 0), radians(axes[1], 0),
+                                   radians(axes[2], 180), tolerance(light, brdf_tolerance));
+    ExactValues result{{}, brdf.nodes};
+    // Where next to nothing is scattered the sum over modes may fall below 0 within its error.
+    for (const double value : brdf.values)
+        result.values.push_back({std::max(value, 0.0), brdf.error});
+    return result;
+}
+
+/// Means of a function of the angle to the normal over the solid angles of even bins, with a rule
+/// in the cosine.
+class BinMeans {
+public:
+    BinMeans(std::size_t bins, int points) : bins_(bins), rule_(reference::gauss_legendre(points))
+    {
+        for (std::size_t bin = 0; bin < bins; ++bin) {
+            const double from = std::cos(edge(bin + 1)), to = std::cos(edge(bin));
+            for (const double node : rule_.nodes)
+                angles.push_back(std::acos(from + (to - from) * node));
+        }
+    }
+
+    /// values: at the angles, from `first` on.
+    double operator()(const Eigen::VectorXd& values, std::size_t first, std::size_t bin) const
+    {
+        return rule_.weights.dot(
+            values.segment(static_cast<Eigen::Index>(first) +
+                               static_cast<Eigen::Index>(bin) * rule_.weights.size(),
+                           rule_.weights.size()));
+    }
+
+    std::vector<double> angles;
+
+private:
+    double edge(std::size_t k) const
+    {
+        return pi / 2 * static_cast<double>(k) / static_cast<double>(bins_);
+    }
+
+    std::size_t bins_;
+    reference::QuadratureRule rule_;
+};
+
+/// Adds what leaves at one angle to its bin.
+void add_narrow(std::vector<Fraction>& values, double flux, double sine)
+{
+    if (flux <= 0) return;
+    const std::size_t count = values.size();
+    const double part = std::asin(std::min(sine, 1.0)) / (pi / 2) * static_cast<double>(count);
+    const std::size_t bin = std::min(static_cast<std::size_t>(part), count - 1);
+    values[bin].mean += flux / solid_angle(bin, count);
+}
+
+ExactValues by_angle(const LightJob& light, const Axis& alpha)
+{
+    const bool up = light.quantity->id == "reflectance_alpha";
+    const std::size_t count = alpha.values.size();
+    // The difference of two rules bounds the error of the means.
+    const int points = static_cast<int>(std::clamp<std::size_t>(90 / count, 2, 12));
+    const BinMeans rough(count, points), fine(count, points + 1);
+    std::vector<double> exits = rough.angles;
+    exits.insert(exits.end(), fine.angles.begin(), fine.angles.end());
+    reference::LightRequest request{.incidence = {light.light.incidence}};
+    (up ? request.exit_above : request.exit_below) = exits;
+    const auto solution =
+        reference::solve_layers_to(light.medium, request, tolerance(light, angular_tolerance));
+    const reference::Illumination& found = lit(light, solution);
+    const Eigen::VectorXd& intensity = up ? found.reflected : found.transmitted;
+    const double error =
+        intensity.size() == 0 ? 0 : solution.angular_error * intensity.cwiseAbs().maxCoeff();
+    ExactValues result{{}, solution.nodes};
+    for (std::size_t bin = 0; bin < count; ++bin) {
+        const double mean = fine(intensity, rough.angles.size(), bin);
+        result.values.push_back({mean, error + std::abs(mean - rough(intensity, 0, bin))});
+    }
+    if (light.light.beam == Beam::diffuse) return result;
+    const double sine = std::sin(light.light.incidence);
+    const LayeredMedium& medium = light.medium;
+    if (up)
+        add_narrow(result.values, found.narrow_reflected, sine);
+    else
+        add_narrow(result.values, found.narrow_transmitted, sine * medium.n_above / medium.n_below);
+    return result;
+}
+
+}  // namespace
+
+ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes)
+{
+    const std::string_view id = light.quantity->id;
+    if (id == "brdf") return brdf(light, axes);
+    if (id == "directional_albedo") return directional_albedo(light, axes.front());
+    if (id == "mean_albedo") return mean_albedo(light);
+    if (id == "mean_path") return mean_paths(light);
+    if (id == "light_budget") return budget(light);
+    return by_angle(light, axes.front());
+}
+
+}  // namespace gonio

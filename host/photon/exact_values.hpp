@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Quantities of layers by adding-doubling, without noise.
+#pragma once
+
+#include <vector>
+
+#include "gonio/job.hpp"
+#include "gonio/photons.hpp"
+
+namespace gonio {
+
+struct ExactValues {
+    std::vector<Fraction> values;  ///< in the order of the table; error: a bound
+    int nodes = 0;                 ///< quadrature directions that it took
+};
+
+/// Of a job's layers, over the axes of its table. Throws RunError where the max_error is out of
+/// reach.
+ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes);
+
+/// A number for each part of a budget, in the order of the channels of light_budget.
+template <class Budget>
+auto parts_of(const Budget& budget)
+{
+    std::vector parts = {budget.specular, budget.diffuse_reflectance,
+                         budget.unscattered_transmittance, budget.diffuse_transmittance,
+                         budget.bottom_absorption};
+    parts.insert(parts.end(), budget.absorption.begin(), budget.absorption.end());
+    return parts;
+}
+
+}  // namespace gonio
