@@ -10,6 +10,7 @@
 #include "output/atomic_file.hpp"
 #include "output/sidecar.hpp"
 #include "photon/bins.hpp"
+#include "photon/checkpoint.hpp"
 #include "photon/mco.hpp"
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
@@ -74,8 +75,17 @@ void simulate(const Device& device, const MciRun& run, std::uint64_t seed,
               const std::filesystem::path& path, Progress& progress)
 {
     PhotonTracer tracer(device, run.medium, {{}, run.tallies, seed, 0, batch_of(run.photons)});
-    tracer.trace(run.photons, [&](std::uint64_t photons) {
+    Checkpoint checkpoint(path, definition(run, seed).dump());
+    std::uint64_t done = 0;
+    if (const auto saved = checkpoint.progress(); !saved.is_null()) {
+        checkpoint.restore(tracer);
+        done = saved;
+        progress.advance(static_cast<double>(done));
+    }
+    tracer.trace(run.photons - done, [&](std::uint64_t photons) {
+        done += photons;
         progress.advance(static_cast<double>(photons));
+        if (interrupted() || checkpoint.is_due()) checkpoint.save(done, tracer);
         throw_if_interrupted();
     });
     const PhotonResult result = tracer.result();
@@ -89,6 +99,7 @@ void simulate(const Device& device, const MciRun& run, std::uint64_t seed,
                                            {"width", device.width()},
                                            {"kernel_seconds", tracer.kernel_seconds()}}}};
     write_file(sidecar_path(path), summary.dump(2) + "\n");
+    checkpoint.remove();
     // The two parts exclude each other: together they vary less than that.
     const double transmittance_error =
         std::hypot(result.unscattered_transmittance.error, result.diffuse_transmittance.error);

@@ -116,6 +116,10 @@ void check(const PhotonRequest& request)
     if (!(request.light.incidence >= 0 && request.light.incidence < std::numbers::pi / 2))
         throw UsageError(fmt::format("an angle of incidence of {} degrees must be in [0, 90)",
                                      request.light.incidence * 180 / std::numbers::pi));
+    if (!(request.roulette_below > 0 && request.roulette_below <= 0.125))
+        throw UsageError(
+            fmt::format("roulette below a weight of {} must be above 0 and at most 1/8",
+                        request.roulette_below));
     if (!(request.light.radius >= 0 && std::isfinite(request.light.radius)))
         throw UsageError(
             fmt::format("a beam's radius of {} cm must be 0 or more", request.light.radius));
@@ -168,6 +172,8 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
     define("TWO_TERMS", has_phase<TwoTermHenyeyGreenstein>(medium) ? 1 : 0);
     define("RAYLEIGH", has_phase<Rayleigh>(medium) ? 1 : 0);
     define("TABULATED", has_phase<TabulatedPhase>(medium) ? 1 : 0);
+    define("ROULETTE_BELOW",
+           static_cast<std::size_t>(std::lround(request.roulette_below * whole_photon)));
     define("REFLECTED", tallies.reflected ? 1 : 0);
     define("TRANSMITTED", tallies.transmitted ? 1 : 0);
     define("ABSORBED", tallies.absorbed ? 1 : 0);

@@ -46,6 +46,9 @@ struct PhotonRequest {
     std::uint64_t first = 0;  ///< number of the first photon
     /// Photons whose sums are squared for the errors; at least 2, at most 2^30.
     std::uint64_t batch = std::uint64_t{1} << 14;
+    /// Weight below which a photon lives on with a probability of 1/8 only: MCML's 1e-4 sees
+    /// farther into the depth and takes longer. In (0, 1/8].
+    double roulette_below = 0x1p-7;
 };
 
 /// A fraction of the incident light.

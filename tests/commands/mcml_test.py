@@ -5,9 +5,11 @@
 import json
 import math
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -18,8 +20,10 @@ EXACT = {
     "slab": (0.0973946, 0.6609577),
     "sample": (0.2378563, 0.0960477),
     "skin": (0.5625850, 0.0032634),
+    "giovanelli": (0.2199186, 0),
+    "skin5": (0.2408819, 0.0214911),
 }
-# Two-sided, six z-tests with a chance of 1e-4 in all to fail (Sidak).
+# Two-sided, ten z-tests with a chance of 1e-4 in all to fail (Sidak).
 SIGMAS = 4.3
 
 SMALL = """1.0
@@ -67,6 +71,24 @@ class Mcml(unittest.TestCase):
         )
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stderr if code else done.stdout
+
+    def test_goes_on_after_an_interruption(self):
+        # Some seconds of work, in folders of their own.
+        text = SMALL.replace("20000", "3000000")
+        self.photon(text, "-o", "whole")
+        command = [GONIO, "photon", "in.mci", "-o", "parts"]
+        with subprocess.Popen(command, cwd=self.at, stdout=subprocess.PIPE) as running:
+            time.sleep(1)
+            running.send_signal(signal.SIGINT)
+            running.communicate()
+        self.assertEqual(running.returncode, 130)
+        self.assertTrue((self.at / "parts/small.mco.checkpoint").exists())
+        self.assertFalse((self.at / "parts/small.mco").exists())
+        self.photon(text, "-o", "parts")
+        self.assertEqual(
+            (self.at / "parts/small.mco").read_bytes(), (self.at / "whole/small.mco").read_bytes()
+        )
+        self.assertFalse((self.at / "parts/small.mco.checkpoint").exists())
 
     def test_totals_are_right(self):
         self.photon(CASES.read_text().replace("200000", "100000"))

@@ -19,6 +19,10 @@ run() {
 run --data-races "$1" --gtest_filter='Registry/EveryModel.*:Grids.*'
 grep -q 'PASSED.* [0-9]* tests' "$scratch/out"
 
+# Photons: every kind of row, beam, phase function and bottom, in a few hundred of them.
+run --uninitialized "$1" --gtest_filter='SmallSimulations.*'
+grep -q 'PASSED.* [0-9]* tests' "$scratch/out"
+
 models=$("$2" models --json | sed -n 's/^ *"id": "\(.*\)",$/\1/p')
 for model in ${models:?}; do
     run --uninitialized "$2" eval "$model" --at - <<<$'30,0,40,180\n0,0,0,0\n90,0,80,10'

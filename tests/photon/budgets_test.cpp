@@ -138,6 +138,9 @@ TEST(PhotonBudgets, RefuseWhatCannotBe)
     EXPECT_THROW(
         simulate_photons(mcml_sample(), photon_request(10, {.incidence = radians(90)}), 10),
         UsageError);
+    PhotonRequest heavy = photon_request(10);
+    heavy.roulette_below = 0.5;  // would carry more than the weight of a whole photon
+    EXPECT_THROW(simulate_photons(mcml_sample(), heavy, 10), UsageError);
     PhotonRequest large = photon_request(10);
     large.tallies = {.absorbed = true, .depths = 1 << 20, .absorbed_radii = 1 << 20};
     EXPECT_THROW(simulate_photons(mcml_sample(), large, 10), UsageError);

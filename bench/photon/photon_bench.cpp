@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Photons through the media of bench/scenes/mcml.mci, with totals and R(r). Variants run one after
+// the other in every iteration; medians.
+//   photons_per_core  photons a second and compute unit, roulette below 2^-7 as by default
+//   at_1e_4           the same with MCML's roulette below 1e-4
+//   vs_scalar         that, times the scalar reference on one core
+//   vs_mcml           that, times the fastest build of MCML 2.0 (gcc -O3 -march=native -ffast-math
+//                     -flto) a core on a Zen 4 server of 2.6 GHz: another machine, AVX2
+//   vs_width_1        times the same kernel at width 1
+//   cores             all compute units, times one of them
+//   with_absorption   time with A(r, z) besides, over time without
+//   roulette_gain     1 / (variance of Rd times time), over that with roulette below 1e-4
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "gonio/photons.hpp"
+#include "opencl/photon_kernel.hpp"
+#include "photon/mci.hpp"
+#include "reference/scalar_monte_carlo.hpp"
+
+namespace gonio {
+namespace {
+
+constexpr double mcml_roulette = 1e-4;
+
+/// Photons a second and core of MCML 2.0.
+const std::map<std::string, double> mcml = {
+    {"slab.mco", 3.53e6},       {"sample.mco", 2.19e5}, {"skin.mco", 2.16e4},
+    {"giovanelli.mco", 3.07e5}, {"skin5.mco", 8.24e4},
+};
+
+double median(std::vector<double> values)
+{
+    std::ranges::nth_element(values, values.begin() + std::ssize(values) / 2);
+    return values[values.size() / 2];
+}
+
+/// A kernel with its options, and the photons a second that it reached.
+class Variant {
+public:
+    Variant(const Device& device, const MciRun& run, double roulette, bool absorbed,
+            std::size_t items = 0)
+        : kernel_(device, program(run, roulette, absorbed), 1, {.items = items})
+    {
+        // Long enough to measure, and to build it.
+        while (kernel_.run(0, count_) < 0.1) count_ *= 2;
+    }
+
+    void measure() { rates_.push_back(count_ / kernel_.run(0, count_)); }
+    double rate() const { return median(rates_); }
+
+private:
+    static PhotonProgram program(const MciRun& run, double roulette, bool absorbed)
+    {
+        PhotonRequest request{.tallies = run.tallies, .roulette_below = roulette};
+        request.tallies.transmitted = false;
+        request.tallies.angles = 1;
+        request.tallies.absorbed = absorbed;
+        return photon_program(run.medium, request);
+    }
+
+    PhotonKernel kernel_;
+    std::uint32_t count_ = 1024;
+    std::vector<double> rates_;
+};
+
+double scalar_rate(const MciRun& run)
+{
+    const auto start = std::chrono::steady_clock::now();
+    constexpr std::size_t photons = 2000;
+    benchmark::DoNotOptimize(reference::simulate(run.medium, {.photons = photons}));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    return photons / took.count();
+}
+
+/// Of the score of one photon.
+double variance(const Device& device, const MciRun& run, double roulette)
+{
+    constexpr std::uint64_t photons = 1 << 16, batch = 1 << 7;
+    PhotonTracer tracer(device, run.medium, {.batch = batch, .roulette_below = roulette});
+    tracer.trace(photons);
+    const double error = tracer.result().diffuse_reflectance.error;
+    return error * error * photons;
+}
+
+void photons(benchmark::State& state, const MciRun& run)
+{
+    const Device device, narrow("", 1);
+    const double preset = PhotonRequest().roulette_below;
+    Variant usual(device, run, preset, false), deep(device, run, mcml_roulette, false),
+        single(device, run, preset, false, 1), thin(narrow, run, preset, false),
+        absorbed(device, run, preset, true);
+    std::vector<double> scalar;
+    for (auto _ : state) {
+        for (Variant* variant : {&usual, &deep, &single, &thin, &absorbed}) variant->measure();
+        scalar.push_back(scalar_rate(run));
+    }
+    const double cores = device.info().compute_units;
+    const double variances = variance(device, run, mcml_roulette) / variance(device, run, preset);
+    state.counters["photons_per_core"] = usual.rate() / cores;
+    state.counters["at_1e_4"] = deep.rate() / cores;
+    state.counters["vs_scalar"] = deep.rate() / cores / median(scalar);
+    state.counters["vs_mcml"] = deep.rate() / cores / mcml.at(run.output);
+    state.counters["vs_width_1"] = usual.rate() / thin.rate();
+    state.counters["cores"] = usual.rate() / single.rate();
+    state.counters["with_absorption"] = usual.rate() / absorbed.rate();
+    state.counters["roulette_gain"] = variances * usual.rate() / deep.rate();
+}
+
+const bool registered = [] {
+    for (const MciRun& run : load_mci(SCENES "/mcml.mci"))
+        benchmark::RegisterBenchmark(("photons/" + run.output).c_str(),
+                                     [run](benchmark::State& state) { photons(state, run); })
+            ->Iterations(7)
+            ->Unit(benchmark::kMillisecond);
+    return true;
+}();
+
+}  // namespace
+}  // namespace gonio
