@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -16,7 +17,8 @@
 namespace gonio {
 namespace {
 
-constexpr std::uint64_t free_batch = std::uint64_t{1} << 15;  // where no number is given
+constexpr std::uint64_t least_batch = 1024, largest_batch = std::uint64_t{1} << 30;
+constexpr std::uint64_t least_batches = 32;  // before an error is believed
 
 /// The light of each part of the table: for a BRDF a beam for each of its directions.
 std::vector<LightSource> lights_of(const Job& job)
@@ -41,7 +43,6 @@ public:
           lights_(lights_of(job)),
           tallies_(tallies_of(*light_.quantity, job.header.axes)),
           most_(light_.budget.photons.value_or(UINT64_MAX)),
-          batch_(most_ == UINT64_MAX ? free_batch : batch_of(most_)),
           checkpoint_(job.path, definition(job))
     {
     }
@@ -61,7 +62,7 @@ private:
         // Photons of other parts have other numbers, so that their noise is independent.
         PhotonTracer tracer(
             device_, light_.medium,
-            {lights_[part_], tallies_, light_.seed, std::uint64_t{part_} << 48, batch_});
+            {lights_[part_], tallies_, light_.seed, std::uint64_t{part_} << 48, largest_batch});
         done_ = 0;
         spent_ = 0;
         if (!saved.is_null() && saved.at("part") == part_) {
@@ -72,15 +73,19 @@ private:
         start_ = std::chrono::steady_clock::now();
         std::vector<Fraction> found;
         double error = INFINITY;
-        do {
-            const std::uint64_t left_of_batch = batch_ - done_ % batch_;
-            tracer.trace(std::min(left_of_batch, most_ - done_), [&](std::uint64_t count) {
+        // The batch at hand, which an earlier run may have begun, or ended.
+        std::uint64_t end = batch_from(0), batches = 1;
+        for (; end < done_; ++batches) end += batch_from(end);
+        for (;; end += batch_from(end), ++batches) {
+            tracer.trace(std::min(end, most_) - done_, [&](std::uint64_t count) {
                 done_ += count;
                 report(tracer, error);
             });
             found = densities(tracer.result(), *light_.quantity, tallies_, job_.header.axes);
-            error = largest_error(found);
-        } while (done_ < most_ && !is_exact_enough(error) && seconds() < time());
+            if (batches >= least_batches) error = largest_error(found);
+            if (done_ == most_ || is_exact_enough(error) || seconds() >= time()) break;
+        }
+        error = largest_error(found);
         if (job_.must_reach && !is_exact_enough(error))
             throw RunError(fmt::format(
                 "after {} photons and {:.1f} s the largest standard error of table `{}` is {:.2g} "
@@ -137,6 +142,14 @@ private:
         if (!light_.quantity->axes.empty()) beyond_ = overflow(result, tallies_);
     }
 
+    /// Of the batch that begins there: a 64th of the number that is given, else about a 32nd of all
+    /// before it.
+    std::uint64_t batch_from(std::uint64_t photon) const
+    {
+        if (most_ != UINT64_MAX) return batch_of(most_);
+        return std::clamp(std::bit_floor(photon / least_batches), least_batch, largest_batch);
+    }
+
     double time() const
     {
         return light_.budget.seconds.value_or(INFINITY) / static_cast<double>(lights_.size());
@@ -187,7 +200,7 @@ private:
     const std::function<void(const LightProgress&)>& after_launch_;
     std::vector<LightSource> lights_;
     PhotonTallies tallies_;
-    std::uint64_t most_, batch_;  ///< photons of a part
+    std::uint64_t most_;  ///< photons of a part
     Checkpoint checkpoint_;
 
     // Of the part at hand.

@@ -94,7 +94,7 @@ TEST_F(LightTables, StopAtTheirBudget)
     EXPECT_GT(make(missed).error, 1e-5);
     const LightTable exact = make(job(bins + "max_error = 0.01\n"));
     EXPECT_LE(exact.error, 0.01);
-    EXPECT_EQ(exact.photons % (1 << 15), 0U);
+    EXPECT_GE(exact.photons, 32U * 1024U);  // few batches do not tell their error
     EXPECT_GT(make(job(bins + "time = \"0.1 s\"\n")).photons, 0U);
 }
 

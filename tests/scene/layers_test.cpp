@@ -55,6 +55,22 @@ TEST(SceneOfLayers, RefusesWhatDoesNotFit)
     EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nlight = \"diffuse\"\ntheta_i = "
                                 "@10\n"),
               "`theta_i` is for a beam, not for diffuse light");
+    EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nradius = @1\n"),
+              "`radius` is for light = \"gaussian\" and light = \"top_hat\"");
+    EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nlight = \"top_hat\"\nradius = @-1\n")
+                  .substr(0, 25),
+              "`radius` is -1; allowed i");
+    EXPECT_EQ(refusal(forearm + "quantity = \"mean_albedo\"\nlight = @\"beam\"\n"),
+              "the quantity `mean_albedo` says itself how light comes in and has no `light`");
+    EXPECT_EQ(refusal(forearm + "quantity = \"directional_albedo\"\naxes = @{ mu = { to = 1, count "
+                                "= 3, samples = \"node\" } }\n"),
+              "`mu` is 0; the cosine of an incident direction must be above 0 and at most 1");
+    EXPECT_EQ(refusal(forearm + "quantity = \"brdf\"\ngrid = @{ kind = \"isotropic\", theta_i = 3, "
+                                "theta_o = 3, delta_phi = 3, samples = \"node\" }\n"),
+              "layers have their BRDF on a grid of kind = \"isotropic\" with samples = \"centre\"");
+    EXPECT_EQ(refusal(forearm + "quantity = \"brdf\"\nsolver = \"monte_carlo\"\ngrid = @{ kind = "
+                                "\"isotropic\", theta_i = 3, theta_o = 3, delta_phi = 3 }\n"),
+              "bins over 360 deg of `delta_phi` must be even in number, or end at 180 deg");
     EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nphotons = @10\n"),
               "`photons` is for solver = \"monte_carlo\", not adding_doubling, which has no noise");
     EXPECT_EQ(refusal("[[material]]\nname = \"s\"\nskin = \"jacques\"\n[[table]]\n"
