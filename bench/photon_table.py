@@ -1,0 +1,49 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""photon_table.py README BENCH: puts the speed of photons between README's marks.
+
+BENCH: gonio_bench --benchmark_filter=^photons/ --benchmark_format=json.
+"""
+
+import json
+import pathlib
+import re
+import sys
+
+BEGIN, END = "<!-- photons: made by ./dev readme -->\n", "<!-- /photons -->"
+TITLES = {
+    "slab": "slab, van de Hulst 1980",
+    "sample": "three layers, MCML's sample",
+    "skin": "seven-layer skin, 600 nm",
+    "giovanelli": "half-space, Giovanelli 1955",
+    "skin5": "five-layer skin, 633 nm",
+}
+
+
+def row(run):
+    name = run["name"].split("/")[1].removesuffix(".mco")
+    return (
+        f"| {TITLES[name]} | {run['photons_per_core']:.3g} | {run['at_1e_4']:.3g} "
+        f"| {run['vs_scalar']:.1f} | {run['vs_mcml']:.1f} | {run['vs_width_1']:.1f} "
+        f"| {run['cores']:.2f} | {run['with_absorption']:.2f} |\n"
+    )
+
+
+def main():
+    readme, bench = map(pathlib.Path, sys.argv[1:])
+    table = (
+        "| medium | photons a second and core | with MCML's roulette, 1e-4 | times the scalar "
+        "reference | times MCML 2.0 | times width 1 | two cores over one | time with A(r, z) |\n"
+        "|---|---|---|---|---|---|---|---|\n"
+        + "".join(row(run) for run in json.loads(bench.read_text())["benchmarks"])
+    )
+    text, count = re.subn(
+        f"{BEGIN}.*?{END}", lambda _: BEGIN + table + END, readme.read_text(), flags=re.DOTALL
+    )
+    if count != 1:
+        sys.exit(f"{readme} has not the two marks")
+    readme.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
