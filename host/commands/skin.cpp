@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands/commands.hpp"
+#include "commands/skin_fit.hpp"
 #include "commands/skin_options.hpp"
 #include "commands/skin_report.hpp"
 #include "gonio/errors.hpp"
@@ -26,25 +27,12 @@ void draw(const std::string& file, const SkinTask& task, const std::vector<Skin>
     write_skin_plot(file, fmt::format("{}: {}", model.id, model.title), fixed_text(task), curves);
 }
 
-bool is_picture(const std::string& file)
+void check_pictures(const std::vector<std::string>& files, std::size_t sets)
 {
-    return file.ends_with(".png") || file.ends_with(".svg");
-}
-
-/// Names are checked before anything is computed.
-void check_files(const std::vector<std::string>& files, std::size_t sets)
-{
-    for (const std::string& file : files) {
-        const std::string ending = std::filesystem::path(file).extension();
-        if (!is_picture(file) && ending != ".csv" && ending != ".npy" && ending != ".exr")
-            throw UsageError(
-                fmt::format("{}: the name tells the format; allowed are .png, .svg, "
-                            ".csv, .npy and .exr",
-                            file));
+    for (const std::string& file : files)
         if (is_picture(file) && sets > most_curves)
             throw UsageError(fmt::format("{}: {} sets of parameters; a picture shows up to {}",
                                          file, sets, most_curves));
-    }
 }
 
 /// words: [MODEL] --name value …; CLI11 would take a value of an option that it does not know for
@@ -56,8 +44,9 @@ void run_skin(SkinOptions options, std::vector<std::string> words)
         words.erase(words.begin());
     }
     const SkinTask task = task_of(options, words);
+    if (!options.fit.empty()) return run_skin_fit(options, task, words);
     const std::vector<Skin> sets = sets_of(task);
-    check_files(options.files, sets.size());
+    check_pictures(options.files, sets.size());
     const auto spectra = solve_skin(sets, task.wavelengths, task.light, task.tolerance);
     for (const std::string& file : options.files)
         if (is_picture(file))
@@ -79,7 +68,7 @@ void add_skin(CLI::App& app)
         "skin", "Reflectance spectrum and colour of skin from melanin, blood and more");
     const auto options = std::make_shared<SkinOptions>();
     verb->add_option("--wavelengths", options->wavelengths,
-                     "FROM:TO:STEP or a list, nm; 380:780:5 if not given");
+                     "FROM:TO:STEP or a list, nm; 380:780:5 if not given, 400:700:10 for a fit");
     verb->add_option("--light", options->light, "beam or diffuse")
         ->check(CLI::IsMember({"beam", "diffuse"}));
     verb->add_option("--theta_i", options->theta_i, "of the beam to the normal, degrees");
@@ -89,6 +78,15 @@ void add_skin(CLI::App& app)
                      "a file for the table (.csv, .npy, .exr) or the picture (.png, .svg); again "
                      "for more")
         ->allow_extra_args(false);
+    CLI::Option* fit = verb->add_option(
+        "--fit", options->fit,
+        "find the parameters of a measured spectrum: CSV with wavelengths in nm and reflectances");
+    verb->add_option("--column", options->column, "of the file to fit; the second if not given")
+        ->needs(fit);
+    verb->add_option("--free", options->free,
+                     "a,b,c: the parameters to fit; if not given, those that the model does not "
+                     "hold and that are not set")
+        ->needs(fit);
     verb->add_flag("--json", options->json, "Print JSON");
     verb->footer(
         "gonio skin [MODEL] [--PARAMETER VALUE]... [OPTIONS]\n"

@@ -5,12 +5,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gonio/skin.hpp"
 
 namespace gonio {
 namespace {
+
+bool is_held(const SkinModel& model, const std::string& parameter)
+{
+    return std::ranges::find(model.held, parameter) != model.held.end();
+}
 
 nlohmann::ordered_json json_of(const SkinModel& model)
 {
@@ -29,7 +35,8 @@ nlohmann::ordered_json json_of(const SkinModel& model)
                                       {"least", least},
                                       {"greatest", greatest},
                                       {"default", preset},
-                                      {"doc", doc}});
+                                      {"doc", doc},
+                                      {"held", is_held(model, name)}});
     return json;
 }
 
@@ -42,8 +49,9 @@ void print(const SkinModel& model)
                fmt::join(model.layers, ", "));
     if (!model.parameters.empty()) fmt::print("\nParameters\n");
     for (const auto& [name, unit, least, greatest, preset, doc] : model.parameters)
-        fmt::print("  --{:<20} {}: {} to {}{}, default {}\n", name, doc, least, greatest,
-                   unit == "1" ? "" : " " + unit, preset);
+        fmt::print("  --{:<20} {}: {} to {}{}, default {}{}\n", name, doc, least, greatest,
+                   unit == "1" ? "" : " " + unit, preset,
+                   is_held(model, name) ? "; fits keep it" : "");
 }
 
 }  // namespace

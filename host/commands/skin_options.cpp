@@ -68,10 +68,18 @@ void set(SkinTask& task, const std::string& name, const std::string& text)
     task.ladders.push_back({name, std::move(values)});
 }
 
-std::vector<double> wavelengths_of(const std::string& text)
+/// 400 to 700 nm in steps of 10: it keeps both bands of haemoglobin apart.
+std::vector<double> fit_wavelengths()
+{
+    std::vector<double> all;
+    for (int wavelength = 400; wavelength <= 700; wavelength += 10) all.push_back(wavelength);
+    return all;
+}
+
+std::vector<double> wavelengths_of(const std::string& text, bool fit)
 {
     constexpr std::string_view what = "wavelengths";
-    if (text.empty()) return default_wavelengths();
+    if (text.empty()) return fit ? fit_wavelengths() : default_wavelengths();
     std::vector<double> all;
     if (text.find(':') == std::string::npos) {
         all = numbers_of(text, ',', what);
@@ -102,16 +110,34 @@ LightSource light_of(const SkinOptions& options)
     return {diffuse ? Beam::diffuse : Beam::pencil, options.theta_i * std::numbers::pi / 180};
 }
 
+void check_files(const std::vector<std::string>& files)
+{
+    for (const std::string& file : files) {
+        const std::string ending = std::filesystem::path(file).extension();
+        if (!is_picture(file) && ending != ".csv" && ending != ".npy" && ending != ".exr")
+            throw UsageError(
+                fmt::format("{}: the name tells the format; allowed are .png, .svg, "
+                            ".csv, .npy and .exr",
+                            file));
+    }
+}
+
 }  // namespace
+
+bool is_picture(const std::string& file)
+{
+    return file.ends_with(".png") || file.ends_with(".svg");
+}
 
 SkinTask task_of(const SkinOptions& options, const std::vector<std::string>& words)
 {
     SkinTask task{.skin = Skin(find_skin_model(options.model)),
-                  .wavelengths = wavelengths_of(options.wavelengths),
+                  .wavelengths = wavelengths_of(options.wavelengths, !options.fit.empty()),
                   .light = light_of(options),
                   .tolerance = options.error};
     if (!(options.error >= 1e-8 && options.error <= 0.1))
         throw UsageError(fmt::format("`error` is {}; allowed is 1e-8 to 0.1", options.error));
+    check_files(options.files);
     std::vector<std::string> seen;
     double sets = 1;
     for (const auto& [name, text] : named_values(words)) {
@@ -123,7 +149,26 @@ SkinTask task_of(const SkinOptions& options, const std::vector<std::string>& wor
     for (const SkinLadder& ladder : task.ladders) sets *= static_cast<double>(ladder.values.size());
     if (sets > most_sets)
         throw UsageError(fmt::format("{} sets of parameters; allowed are {}", sets, most_sets));
+    if (!options.fit.empty() && !task.ladders.empty())
+        throw UsageError(fmt::format("`{}` has several values; a fit starts from one",
+                                     task.ladders.front().parameter));
     return task;
+}
+
+std::vector<std::size_t> free_parameters(const SkinOptions& options, const SkinModel& model,
+                                         const std::vector<std::string>& words)
+{
+    std::vector<std::size_t> varied;
+    if (!options.free.empty()) {
+        for (const std::string& name : CLI::detail::split(options.free, ','))
+            varied.push_back(model.index_of(name));
+        return varied;
+    }
+    std::vector<std::string> kept = model.held;
+    for (const auto& [name, value] : named_values(words)) kept.push_back(name);
+    for (std::size_t k = 0; k < model.parameters.size(); ++k)
+        if (std::ranges::find(kept, model.parameters[k].name) == kept.end()) varied.push_back(k);
+    return varied;
 }
 
 }  // namespace gonio

@@ -144,6 +144,13 @@ void compare(LayeredSolution& solution, const LayeredSolution& coarse)
 
 }  // namespace
 
+LayeredSolution solve_layers_once(const LayeredMedium& medium, const LightRequest& request,
+                                  int nodes)
+{
+    validate(medium);
+    return solve_once(medium, request, nodes);
+}
+
 LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& request, int nodes)
 {
     validate(medium);

@@ -28,7 +28,7 @@ std::string text_or_empty(const Section& section, std::string_view key)
 SkinParameter read_parameter(const Value& value)
 {
     const Section section(value);
-    section.allow({"doc", "unit", "least", "greatest", "default"});
+    section.allow({"doc", "unit", "least", "greatest", "default", "held"});
     SkinParameter parameter{.name = value.name(), .unit = "1"};
     if (const auto unit = section.find("unit")) {
         const std::vector<std::string_view> units = {"1", "cm", "g/L"};
@@ -126,8 +126,11 @@ SkinModel read_model(std::string_view text, const std::string& file, std::string
     if (const auto notes = root.find("notes"))
         for (const Value& note : notes->list()) model.notes.push_back(note.text());
     if (const auto parameters = root.find("parameters"))
-        for (const Value& value : Section(*parameters).values())
+        for (const Value& value : Section(*parameters).values()) {
             model.parameters.push_back(read_parameter(value));
+            const auto held = Section(value).find("held");
+            if (held && held->flag()) model.held.push_back(value.name());
+        }
 
     const toml::table library = parse_document(*find_data("skin/library.toml"), "library.toml");
     const Section shared(Value(library, "the library", library.source().begin));

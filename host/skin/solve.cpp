@@ -26,12 +26,13 @@ struct Problem {
 
     std::size_t size() const { return sets.size() * wavelengths.size(); }
 
-    reference::LayeredSolution solve(std::size_t which, int nodes) const
+    LayeredMedium medium(std::size_t which) const
     {
         const Skin& set = sets[which / wavelengths.size()];
-        return reference::solve_layers(set.layers_at(wavelengths[which % wavelengths.size()]),
-                                       {.incidence = {light.incidence}}, nodes);
+        return set.layers_at(wavelengths[which % wavelengths.size()]);
     }
+
+    reference::LightRequest request() const { return {.incidence = {light.incidence}}; }
 };
 
 /// A number of nodes and the error that it leaves.
@@ -43,10 +44,11 @@ struct Rule {
 /// The first of 16, 23, 32, 45, … nodes whose difference to the next ones is small enough.
 Rule rule_for(const Problem& problem, std::size_t which, double tolerance)
 {
+    const LayeredMedium medium = problem.medium(which);
     double error = 0;
     for (double next = first_nodes; next < most_nodes; next *= std::numbers::sqrt2) {
         const int nodes = static_cast<int>(std::lround(next));
-        error = problem.solve(which, nodes).error;
+        error = reference::solve_layers(medium, problem.request(), nodes).error;
         if (error <= tolerance) return {reference::coarser(nodes), error};
     }
     throw RunError(
@@ -114,7 +116,8 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
     for (const Skin& skin : sets) spectra.push_back(empty_spectrum(skin, wavelengths, rule.error));
     const std::size_t each = wavelengths.size();
     skin::in_parallel(problem.size(), [&](std::size_t k) {
-        const auto solution = problem.solve(k, rule.nodes);
+        const auto solution =
+            reference::solve_layers_once(problem.medium(k), problem.request(), rule.nodes);
         store((light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget,
               k % each, spectra[k / each]);
     });

@@ -30,6 +30,7 @@ struct SkinModel {
     std::vector<SkinParameter> parameters = {};  ///< in the order of the file
     std::vector<std::string> layers = {};        ///< names, from the top
     std::vector<std::string> notes = {};         ///< what a user should know: limits, our readings
+    std::vector<std::string> held = {};          ///< parameters that fits keep if nobody asks
     std::shared_ptr<const skin::Recipe> recipe = {};
 
     /// Throws UsageError with the nearest name.

@@ -57,6 +57,24 @@ class Skin(unittest.TestCase):
         self.assertEqual(values, sorted(values, reverse=True))
         self.assertIn("sRGB", text)
 
+    def test_a_fit_finds_what_a_spectrum_was_made_of(self):
+        words = ("jacques_1998", "--error=1e-3", "--wavelengths", "450:650:10")
+        made = json.loads(self.gonio("skin", *words, "--melanin", "0.1", "--json"))
+        rows = zip(made["wavelengths"], made["sets"][0]["reflectance"])
+        text = "wavelength,r\n" + "".join(f"{at},{r}\n" for at, r in rows)
+        (self.at / "made.csv").write_text(text)
+        fit = ("skin", "jacques_1998", "--fit", "made.csv", "--wavelengths", "450:650:20")
+        free = ("--free", "melanin,blood", "-o", "fit.svg", "-o", "fit.csv")
+        found = json.loads(self.gonio(*fit, *free, "--json"))
+        self.assertLess(found["mean_residual"], 1e-3)
+        self.assertAlmostEqual(found["parameters"]["melanin"]["value"], 0.1, delta=0.003)
+        self.assertTrue((self.at / "fit.svg").exists() and (self.at / "fit.csv").exists())
+        self.assertIn("mean residual", self.gonio(*fit, "--scattering", "1"))
+        (self.at / "made.csv").write_text("wavelength,r\n400,30\n410,31\n")
+        self.assertIn("per cent", self.gonio(*fit, code=2))
+        self.assertIn("there is no column", self.gonio(*fit, "--column", "x", code=2))
+        self.assertIn("a fit starts from one", self.gonio(*fit, "--blood", "0,1", code=2))
+
     def test_refusals(self):
         for words, part in (
             (("jaques_1998",), "did you mean `jacques_1998`?"),
