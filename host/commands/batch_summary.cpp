@@ -13,6 +13,7 @@
 #include "plan/estimate.hpp"
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
+#include "skin/skin_table.hpp"
 
 namespace gonio {
 namespace {
@@ -67,6 +68,14 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
     std::vector<std::pair<Job, MadeTable>> made;
     std::string of_layers;
     const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
+        if (job.skin) {
+            const auto run = make_skin_table(job, &throw_if_interrupted);
+            progress.advance(static_cast<double>(job.header.cells()));
+            of_layers +=
+                fmt::format("{}: {} of skin, without noise, error {:.1e}, {}\n", job.name,
+                            job.header.quantity, run.at("error").get<double>(), job.path.string());
+            return run;
+        }
         if (job.layers) {
             const auto [line, run] = make_layers(device, job, progress);
             of_layers += line;

@@ -11,6 +11,7 @@
 #include "output/check.hpp"
 #include "plan/header.hpp"
 #include "plan/integral_axes.hpp"
+#include "plan/skin_job.hpp"
 #include "quadrature/derived.hpp"
 #include "scene/located.hpp"
 
@@ -80,7 +81,10 @@ public:
         std::vector<Sweep> axes, files;
         for (const Sweep& sweep : material.sweeps) (sweep.axis ? axes : files).push_back(sweep);
         check_amount(request, product(axes), product(files));
-        for (const auto& point : combinations(files)) keep(make_job(request, files, point, axes));
+        const auto* skin = std::get_if<Skin>(&material.made_of);
+        for (const auto& point : combinations(files))
+            keep(skin ? make_skin_job(request, *skin, files, point, axes)
+                      : make_job(request, files, point, axes));
     }
 
     std::vector<Job> jobs() { return std::move(jobs_); }
@@ -109,6 +113,21 @@ private:
         set_storage(job, request);
         job.header =
             make_light_header(job, material, request.grid ? request.grid->axes : request.axes);
+        located(job.where, [&] { check(job.header); });
+        return job;
+    }
+
+    Job make_skin_job(const TableRequest& request, Skin skin, const std::vector<Sweep>& files,
+                      const std::vector<double>& file_point, const std::vector<Sweep>& axes) const
+    {
+        Job job;
+        job.name = request.name;
+        for (std::size_t k = 0; k < files.size(); ++k) {
+            skin.set(files[k].parameter, file_point[k]);
+            job.name += fmt::format("-{}={}", files[k].parameter, file_point[k]);
+        }
+        set_storage(job, request);
+        fill_skin(job, request, scene_.materials[request.material].name, skin, axes);
         located(job.where, [&] { check(job.header); });
         return job;
     }

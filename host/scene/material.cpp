@@ -56,20 +56,12 @@ std::vector<double> read_ambient(const Value& value, std::size_t channels)
     return numbers;
 }
 
-SkinRequest read_skin(const Section& material, std::vector<Sweep>& sweeps)
-{
-    SkinRequest skin{material.at("skin").text(), {}};
-    if (const auto parameters = material.find("parameters"))
-        for (const Value& value : Section(*parameters).values())
-            skin.parameters.emplace_back(value.name(), read_swept_number(value, 0, sweeps));
-    return skin;
-}
-
 /// "model", "lobes", "diffuse" (or specular, or both), "layers" or "skin": which the material has.
 std::string_view kind_of(const Section& section)
 {
     section.allow({"name", "model", "weight", "parameters", "lobes", "diffuse", "specular",
-                   "ambient", "layers", "n_above", "n_below", "bottom", "bottom_albedo", "skin"});
+                   "ambient", "layers", "n_above", "n_below", "bottom", "bottom_albedo", "skin",
+                   "wavelength"});
     std::vector<std::string_view> kinds;
     for (const auto kind : {"model", "lobes", "diffuse", "specular", "layers", "skin"})
         if (section.find(kind)) kinds.emplace_back(kind);
@@ -120,8 +112,11 @@ SceneMaterial read_material(const Value& value)
         section.allow({"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo"});
         material.made_of = read_layers(section, material.sweeps);
     } else {
-        section.allow({"name", "skin", "parameters"});
-        material.made_of = read_skin(section, material.sweeps);
+        section.allow({"name", "skin", "parameters", "wavelength"});
+        if (section.find("wavelength"))
+            material.made_of = read_skin_layers(section);
+        else
+            material.made_of = read_skin(section, material.sweeps);
     }
     if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of)) {
         const auto channels = located(material.where, [&] {

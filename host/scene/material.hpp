@@ -12,6 +12,12 @@ SceneMaterial read_material(const Value& value);
 /// Its layers and what lies around them.
 LayeredMedium read_layers(const Section& material, std::vector<Sweep>& sweeps);
 
+/// A model of skin with its parameters.
+Skin read_skin(const Section& material, std::vector<Sweep>& sweeps);
+
+/// The layers of skin at its `wavelength`.
+LayeredMedium read_skin_layers(const Section& material);
+
 /// A name that can be the stem of a file.
 std::string read_name(const Value& value);
 

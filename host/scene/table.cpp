@@ -58,7 +58,7 @@ Budget read_budget(const Section& table)
 /// Refuses what the solver of this quantity cannot use.
 void check_solver(const Section& table, const TableRequest& request)
 {
-    if (request.quantity->of == Substance::layers) return;
+    if (request.quantity->of != Substance::surface) return;
     for (const auto key : {"light", "theta_i", "radius", "seed"})
         if (const auto value = table.find(key))
             value->fail(fmt::format("`{}` is for tables of layers, not of a surface", key));
@@ -114,16 +114,14 @@ TableRequest read_request(const Section& table, std::size_t which,
 
     const Value quantity = table.at("quantity");
     const auto id = quantity.text();
-    if (std::holds_alternative<SkinRequest>(material.made_of))
-        quantity.fail(
-            "this version computes no table of skin, only of a `model`, of `lobes` or of `layers`");
+    const auto* skin = std::get_if<Skin>(&material.made_of);
     const bool surface = std::holds_alternative<std::vector<Lobe>>(material.made_of);
-    request.quantity = located(quantity.where(), [&] {
-        return &find_quantity(id, surface ? Substance::surface : Substance::layers);
-    });
+    const Substance of = skin ? Substance::skin : surface ? Substance::surface : Substance::layers;
+    request.quantity = located(quantity.where(), [&] { return &find_quantity(id, of); });
     request.solver = read_solver(table, *request.quantity);
     check_solver(table, request);
-    if (!surface) read_light_request(table, request);
+    if (of == Substance::layers) read_light_request(table, request);
+    if (skin) read_skin_request(table, *skin, request);
     if (surface && !request.quantity->on_grid()) check_integral_axes(table, material, request);
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(

@@ -16,7 +16,7 @@ namespace {
 std::string with_unit(const SkinParameter& parameter, double value)
 {
     const bool plain = parameter.unit == "1";
-    return fmt::format("{} {}{}{}", parameter.name, value, plain ? "" : " ",
+    return fmt::format("{} {:.6g}{}{}", parameter.name, value, plain ? "" : " ",
                        plain ? "" : parameter.unit);
 }
 
@@ -48,7 +48,7 @@ void add_colours(Attributes& all, const std::vector<SkinSpectrum>& spectra)
     all.emplace_back("colour.ITA.unit", std::string("deg"));
 }
 
-Attributes attributes_of(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
+Attributes attributes_of(const SkinTask& task)
 {
     const SkinModel& model = task.skin.model();
     Attributes all{{"program", std::string(GONIO_PROGRAM)},
@@ -69,7 +69,6 @@ Attributes attributes_of(const SkinTask& task, const std::vector<SkinSpectrum>& 
     }
     for (std::size_t k = 0; k < model.layers.size(); ++k)
         all.emplace_back(fmt::format("layer_{}", k + 1), model.layers[k]);
-    if (has_colour(task.wavelengths)) add_colours(all, spectra);
     return all;
 }
 
@@ -119,36 +118,46 @@ std::string fixed_text(const SkinTask& task)
     return text;
 }
 
-Table spectrum_table(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
+TableHeader skin_header(const SkinTask& task)
 {
-    Table table{{.quantity = "reflectance_spectrum",
-                 .unit = "1",
-                 .axes = {},
-                 .channels = {"reflectance", "specular", "transmittance", "bottom"},
-                 .attributes = attributes_of(task, spectra)},
-                {}};
-    TableHeader& header = table.header;
+    const SkinModel& model = task.skin.model();
+    TableHeader header{.quantity = "reflectance_spectrum",
+                       .unit = "1",
+                       .axes = {},
+                       .channels = {"reflectance", "specular", "transmittance", "bottom"},
+                       .single_precision = false,
+                       .attributes = attributes_of(task)};
     for (const SkinLadder& ladder : task.ladders) {
-        const SkinModel& model = task.skin.model();
-        const auto& unit = model.parameters[model.index_of(ladder.parameter)].unit;
+        const std::string& unit = model.parameters[model.index_of(ladder.parameter)].unit;
         header.axes.push_back({ladder.parameter, unit, ladder.values, Samples::node});
     }
     header.axes.push_back({"wavelength", "nm", task.wavelengths, Samples::node});
-    header.sweep_axes = task.ladders.size();
-    header.single_precision = false;
-    for (std::size_t k = 1; k <= task.skin.model().layers.size(); ++k)
+    for (std::size_t k = 1; k <= model.layers.size(); ++k)
         header.channels.push_back(fmt::format("layer_{}", k));
     header.channels.emplace_back("reflectance.error");
-    table.values.resize(header.channels.size());
+    return header;
+}
+
+std::vector<std::vector<double>> spectrum_channels(const std::vector<SkinSpectrum>& spectra)
+{
+    std::vector<std::vector<double>> channels;
     for (const SkinSpectrum& spectrum : spectra) {
         std::vector<const std::vector<double>*> planes{&spectrum.reflectance, &spectrum.specular,
                                                        &spectrum.transmittance, &spectrum.bottom};
         for (const auto& layer : spectrum.absorption) planes.push_back(&layer);
         const std::vector<double> error(spectrum.wavelengths.size(), spectrum.error);
         planes.push_back(&error);
+        channels.resize(planes.size());
         for (std::size_t c = 0; c < planes.size(); ++c)
-            table.values[c].insert(table.values[c].end(), planes[c]->begin(), planes[c]->end());
+            channels[c].insert(channels[c].end(), planes[c]->begin(), planes[c]->end());
     }
+    return channels;
+}
+
+Table spectrum_table(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
+{
+    Table table{skin_header(task), spectrum_channels(spectra)};
+    if (has_colour(task.wavelengths)) add_colours(table.header.attributes, spectra);
     return table;
 }
 

@@ -108,7 +108,8 @@ void store(const reference::LightBudget& budget, std::size_t k, SkinSpectrum& sp
 
 std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
                                      const std::vector<double>& wavelengths,
-                                     const LightSource& light, double tolerance)
+                                     const LightSource& light, double tolerance,
+                                     const std::function<void()>& after_each)
 {
     const Problem problem{sets, wavelengths, light};
     const Rule rule = rule_for_all(problem, tolerance);
@@ -120,6 +121,7 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
             reference::solve_layers_once(problem.medium(k), problem.request(), rule.nodes);
         store((light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget,
               k % each, spectra[k / each]);
+        after_each();
     });
     return spectra;
 }

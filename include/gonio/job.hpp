@@ -41,6 +41,7 @@ struct Job {
     Measure measure = Measure::brdf;
     Grid grid;
     std::optional<LightJob> layers;   ///< in place of materials, measure and grid
+    std::optional<SkinTask> skin;     ///< in place of them all
     std::vector<IntegralCell> cells;  ///< in place of the grid, in the order of the table
     double max_error = 1e-6;          ///< of an integral
     bool must_reach = false;          ///< it is an error if the max_error asked for is not reached

@@ -8,8 +8,8 @@
 namespace gonio {
 
 /// What a material is, and so which quantities it has: a model or a sum of lobes, or layers that
-/// photons travel through (skin too).
-enum class Substance { surface, layers };
+/// photons travel through, or skin.
+enum class Substance { surface, layers, skin };
 
 struct Quantity {
     struct AxisName {

@@ -16,6 +16,7 @@
 #include "gonio/layers.hpp"
 #include "gonio/material.hpp"
 #include "gonio/quantity.hpp"
+#include "gonio/skin.hpp"
 #include "gonio/table.hpp"
 
 namespace gonio {
@@ -33,16 +34,10 @@ struct Sweep {
     Where where;
 };
 
-/// A model of skin by name, with its numbers.
-struct SkinRequest {
-    std::string model;
-    std::vector<std::pair<std::string, double>> parameters;
-};
-
 /// A material of a scene. What it is made of holds the first value of every sweep.
 struct SceneMaterial {
     std::string name;
-    std::variant<std::vector<Lobe>, LayeredMedium, SkinRequest> made_of;
+    std::variant<std::vector<Lobe>, LayeredMedium, Skin> made_of;
     std::vector<Sweep> sweeps;  ///< those that are axes come from the outermost
     Where where;
     std::vector<double> ambient = {};  ///< as in Material

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -68,6 +69,21 @@ private:
     std::vector<double> values_;
 };
 
+/// A parameter that takes several values, which ascend or descend.
+struct SkinLadder {
+    std::string parameter;
+    std::vector<double> values;
+};
+
+/// What spectra are asked for, and how exact.
+struct SkinTask {
+    Skin skin;
+    std::vector<SkinLadder> ladders = {};  ///< from the outermost
+    std::vector<double> wavelengths = {};  ///< nm
+    LightSource light = {};
+    double tolerance = 1e-4;
+};
+
 /// Where light of unit flux ends, at each wavelength.
 struct SkinSpectrum {
     std::vector<double> wavelengths;  ///< nm
@@ -81,11 +97,15 @@ struct SkinSpectrum {
     double error = 0;                             ///< bound of all of these
 };
 
+/// 380 to 780 nm in steps of 5.
+std::vector<double> default_wavelengths();
+
 /// The spectra of several sets of one model by adding-doubling, without noise, on all processors.
 /// `tolerance` is that of each number; the error is measured at every sixteenth wavelength. Throws
 /// as layers_at() does, and RunError where it cannot be reached.
-std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
-                                     const std::vector<double>& wavelengths,
-                                     const LightSource& light, double tolerance);
+/// `after_each` is called after each wavelength, by several threads; what it throws ends the work.
+std::vector<SkinSpectrum> solve_skin(
+    const std::vector<Skin>& sets, const std::vector<double>& wavelengths, const LightSource& light,
+    double tolerance, const std::function<void()>& after_each = [] {});
 
 }  // namespace gonio

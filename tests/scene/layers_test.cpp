@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers and skin, and the tables that can be asked of them.
+// Layers, and the tables that can be asked of them.
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -73,10 +73,6 @@ TEST(SceneOfLayers, RefusesWhatDoesNotFit)
               "bins over 360 deg of `delta_phi` must be even in number, or end at 180 deg");
     EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nphotons = @10\n"),
               "`photons` is for solver = \"monte_carlo\", not adding_doubling, which has no noise");
-    EXPECT_EQ(refusal("[[material]]\nname = \"s\"\nskin = \"jacques\"\n[[table]]\n"
-                      "material = \"s\"\nquantity = @\"light_budget\"\n"),
-              "this version computes no table of skin, only of a `model`, of `lobes` or of "
-              "`layers`");
 }
 
 TEST(SceneOfLayers, IsCheckedBefore)

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skin in scenes: what is read, refused, planned and made.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "gonio/colour.hpp"
+#include "gonio/job.hpp"
+#include "reference/adding_doubling.hpp"
+#include "scene/scene_fixtures.hpp"
+#include "skin/skin_table.hpp"
+
+namespace gonio {
+namespace {
+
+using test::refusal;
+
+const std::string skin =
+    "[[material]]\nname = \"arm\"\nskin = \"jacques_1998\"\n[material.parameters]\n"
+    "melanin = { values = [0.02, 0.1, 0.3] }\nblood = { from = 0.001, to = 0.004, count = 2 }\n"
+    "oxygenation = 0.6\n[[table]]\nmaterial = \"arm\"\nformat = \"npy\"\nmax_error = 1e-3\n";
+
+Table made(const std::string& table)
+{
+    const Job job = plan_jobs(parse_scene(skin + table, "s.toml"), testing::TempDir()).at(0);
+    make_skin_table(job);
+    return read_table(job.path);
+}
+
+TEST(SceneOfSkin, ColoursOfMelaninAndBlood)
+{
+    const Table rgb = made("quantity = \"colour_rgb\"\n");
+    const Table xyz = made("quantity = \"colour_xyz\"\n");
+    ASSERT_EQ(rgb.header.axes.size(), 2U);
+    EXPECT_EQ(rgb.header.axes[0].name, "melanin");
+    EXPECT_EQ(rgb.header.axes[1].name, "blood");
+    EXPECT_EQ(rgb.header.channels, (std::vector<std::string>{"R", "G", "B"}));
+    Skin set(find_skin_model("jacques_1998"));
+    set.set("melanin", 0.1);
+    set.set("blood", 0.004);
+    set.set("oxygenation", 0.6);
+    const auto spectrum = solve_skin({set}, default_wavelengths(), {}, 1e-5)[0];
+    const auto colour = colour_of(spectrum.wavelengths, spectrum.reflectance);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto k = static_cast<int>(c);
+        EXPECT_NEAR(rgb.values[c][3], colour.linear[k], 3e-3);
+        EXPECT_NEAR(xyz.values[c][3], colour.xyz[k], 0.1);
+    }
+    EXPECT_GT(rgb.values[0][0], rgb.values[0][2]);  // more melanin is darker
+    EXPECT_GT(rgb.values[1][0], rgb.values[1][1]);  // more blood takes green
+}
+
+TEST(SceneOfSkin, SpectraHaveTheirWavelengths)
+{
+    const Table table = made(
+        "quantity = \"reflectance_spectrum\"\nlight = \"diffuse\"\n"
+        "axes = { wavelength = { values = [450, 542, 650] } }\n");
+    ASSERT_EQ(table.header.axes.size(), 3U);
+    EXPECT_EQ(table.header.axes[2].values, (std::vector<double>{450, 542, 650}));
+    EXPECT_EQ(table.header.cells(), 18U);
+    EXPECT_EQ(table.header.channels.back(), "reflectance.error");
+    for (const double error : table.values.back()) EXPECT_LE(error, 1e-3);
+    for (std::size_t k = 0; k < 18; ++k) EXPECT_GT(table.values[0][k], table.values[1][k]);
+}
+
+TEST(SceneOfSkin, IsLayersAtOneWavelength)
+{
+    const Scene scene = parse_scene(
+        "[[material]]\nname = \"arm\"\nskin = \"pyxopto\"\nwavelength = 550\n[[table]]\n"
+        "material = \"arm\"\nquantity = \"light_budget\"\n",
+        "s.toml");
+    const auto& medium = std::get<LayeredMedium>(scene.materials[0].made_of);
+    EXPECT_EQ(medium.layers.size(), 2U);
+    EXPECT_EQ(medium.layers[0].mua, Skin(find_skin_model("pyxopto")).layers_at(550).layers[0].mua);
+}
+
+TEST(SceneOfSkin, IsCheckedBefore)
+{
+    const std::string head = "[[material]]\nname = \"arm\"\n";
+    EXPECT_EQ(refusal(head + "skin = @\"jaques_1998\"\n"),
+              "there is no skin `jaques_1998`; did you mean `jacques_1998`?");
+    EXPECT_EQ(refusal(head + "skin = \"pyxopto\"\nparameters = { @melanine = 0.1 }\n"),
+              "skin `pyxopto` has no parameter `melanine`; did you mean `melanin`?");
+    EXPECT_EQ(refusal(head + "skin = \"pyxopto\"\nparameters = { melanin = @{ values = [0.1, 2] } "
+                             "}\n"),
+              "`melanin` is 2; allowed is 0 to 1");
+    EXPECT_EQ(refusal(head + "skin = \"pyxopto\"\nwavelength = @1200\n"),
+              "1200 nm: skin `pyxopto` is known at 251 to 1000 nm; so far goes "
+              "`skin/whole_blood.csv`");
+    EXPECT_EQ(refusal(skin + "quantity = @\"colour\"\n"),
+              "there is no quantity `colour`; known are: reflectance_spectrum, colour_rgb, "
+              "colour_xyz");
+    EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\naxes = @{ wavelength = { values = [500] } "
+                             "}\n"),
+              "the quantity `colour_rgb` has no axes");
+    EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\n@photons = 10\n").substr(0, 21),
+              "unknown key `photons`");
+    EXPECT_EQ(refusal(skin + "quantity = \"reflectance_spectrum\"\naxes = @{ wavelength = { values "
+                             "= [500, 1100] } }\n"),
+              "1100 nm: skin `jacques_1998` is known at 250 to 1000 nm; so far goes "
+              "`skin/haemoglobin.csv`");
+}
+
+}  // namespace
+}  // namespace gonio
