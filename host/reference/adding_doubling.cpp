@@ -76,14 +76,15 @@ VectorXd intensity(const Directions& directions, const Light& light, const Light
     return flux;
 }
 
-LayeredSolution solve_once(const LayeredMedium& medium, const LightRequest& request, int nodes)
+LayeredSolution solve_once(const LayeredMedium& medium, const LightRequest& request, int nodes,
+                           const SlabSolver& solver = solve_slab)
 {
     ExactDirections exact;
     const Places incidence = exact.add(medium.n_above, request.incidence);
     const Places above = exact.add(medium.n_above, request.exit_above);
     const Places below = exact.add(medium.n_below, request.exit_below);
     const Directions directions = choose_directions(medium, nodes, exact);
-    const Solved solved{directions, add_layers(medium, directions, 0),
+    const Solved solved{directions, add_layers(medium, directions, 0, solver),
                         follow_unscattered(medium, directions),
                         specular_reflectance(medium, directions)};
     const Eigen::ArrayXd nothing = Eigen::ArrayXd::Zero(directions.size());
@@ -145,10 +146,10 @@ void compare(LayeredSolution& solution, const LayeredSolution& coarse)
 }  // namespace
 
 LayeredSolution solve_layers_once(const LayeredMedium& medium, const LightRequest& request,
-                                  int nodes)
+                                  int nodes, const SlabSolver& solver)
 {
     validate(medium);
-    return solve_once(medium, request, nodes);
+    return solve_once(medium, request, nodes, solver);
 }
 
 LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& request, int nodes)

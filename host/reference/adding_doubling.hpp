@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gonio/layers.hpp"
+#include "reference/adding_doubling/slab.hpp"
 
 namespace gonio::reference {
 
@@ -56,7 +57,7 @@ LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& re
 
 /// The same at two thirds of the price, with errors of 0 that mean nothing.
 LayeredSolution solve_layers_once(const LayeredMedium& medium, const LightRequest& request,
-                                  int nodes);
+                                  int nodes, const SlabSolver& solver = solve_slab);
 
 /// Raises the number of nodes until no error is above `tolerance`. Throws RunError where 512 are
 /// not enough.

@@ -4,18 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "gonio/errors.hpp"
 #include "gonio/skin.hpp"
 #include "reference/adding_doubling.hpp"
 #include "reference/adding_doubling/directions.hpp"
+#include "reference/adding_doubling/slab_memory.hpp"
 #include "skin/parallel.hpp"
 
 namespace gonio {
 namespace {
 
 constexpr double first_nodes = 23, most_nodes = 512;  // of a hemisphere
+constexpr std::size_t sharing = 512;                  // sets that are solved together
 constexpr std::size_t between_samples = 16;           // spectra are smooth, and so is their error
 
 /// All sets at all wavelengths, counted set after set.
@@ -23,8 +26,6 @@ struct Problem {
     const std::vector<Skin>& sets;
     const std::vector<double>& wavelengths;
     const LightSource& light;
-
-    std::size_t size() const { return sets.size() * wavelengths.size(); }
 
     LayeredMedium medium(std::size_t which) const
     {
@@ -115,13 +116,20 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
     const Rule rule = rule_for_all(problem, tolerance);
     std::vector<SkinSpectrum> spectra;
     for (const Skin& skin : sets) spectra.push_back(empty_spectrum(skin, wavelengths, rule.error));
+    // Sets that differ in the melanin of one layer share all others at a wavelength.
     const std::size_t each = wavelengths.size();
-    skin::in_parallel(problem.size(), [&](std::size_t k) {
-        const auto solution =
-            reference::solve_layers_once(problem.medium(k), problem.request(), rule.nodes);
-        store((light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget,
-              k % each, spectra[k / each]);
-        after_each();
+    const std::size_t blocks = (sets.size() + sharing - 1) / sharing;
+    skin::in_parallel(blocks * each, [&](std::size_t work) {
+        const std::size_t block = work / each, k = work % each;
+        reference::SlabMemory slabs;
+        for (std::size_t set = block * sharing; set < std::min((block + 1) * sharing, sets.size());
+             ++set) {
+            const auto solution = reference::solve_layers_once(
+                problem.medium(set * each + k), problem.request(), rule.nodes, std::ref(slabs));
+            const bool diffuse = light.beam == Beam::diffuse;
+            store((diffuse ? solution.diffuse : solution.collimated[0]).budget, k, spectra[set]);
+            after_each();
+        }
     });
     return spectra;
 }

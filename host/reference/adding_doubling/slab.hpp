@@ -2,6 +2,8 @@
 // Reflection and transmission of one homogeneous layer without its interfaces.
 #pragma once
 
+#include <functional>
+
 #include "gonio/layers.hpp"
 #include "reference/adding_doubling/directions.hpp"
 #include "reference/adding_doubling/light_operator.hpp"
@@ -18,5 +20,9 @@ struct Slab {
 /// goes as cos(mode phi) with the azimuth. mode = 0 is the azimuthal mean and conserves energy to
 /// the last digits. An infinite layer transmits nothing.
 Slab solve_slab(const Layer& layer, const LocalDirections& directions, int mode);
+
+/// solve_slab, or what gives the same slabs.
+using SlabSolver =
+    std::function<Slab(const Layer& layer, const LocalDirections& directions, int mode)>;
 
 }  // namespace gonio::reference

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "reference/adding_doubling/interface.hpp"
-#include "reference/adding_doubling/slab.hpp"
 
 namespace gonio::reference {
 namespace {
@@ -46,7 +45,8 @@ struct Level {
 
 }  // namespace
 
-Stack add_layers(const LayeredMedium& medium, const Directions& directions, int mode)
+Stack add_layers(const LayeredMedium& medium, const Directions& directions, int mode,
+                 const SlabSolver& solver)
 {
     const std::size_t count = medium.layers.size();
     std::vector<Level> levels(count);
@@ -54,7 +54,7 @@ Stack add_layers(const LayeredMedium& medium, const Directions& directions, int 
     for (std::size_t i = count; i-- > 0;) {
         const Layer& layer = medium.layers[i];
         const LocalDirections local(directions, layer.n);
-        const Slab slab = solve_slab(layer, local, mode);
+        const Slab slab = solver(layer, local, mode);
         const LightOperator r = embed(slab.reflection, local, directions);
         const LightOperator t = embed(slab.transmission, local, directions);
         Level& level = levels[i];

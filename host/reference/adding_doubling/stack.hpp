@@ -7,6 +7,7 @@
 #include "gonio/layers.hpp"
 #include "reference/adding_doubling/directions.hpp"
 #include "reference/adding_doubling/light_operator.hpp"
+#include "reference/adding_doubling/slab.hpp"
 
 namespace gonio::reference {
 
@@ -21,6 +22,7 @@ struct Stack {
 
 /// Adds up the layers for the part of the light that goes as cos(mode phi); `kept` is meant for
 /// mode 0.
-Stack add_layers(const LayeredMedium& medium, const Directions& directions, int mode);
+Stack add_layers(const LayeredMedium& medium, const Directions& directions, int mode,
+                 const SlabSolver& solver = solve_slab);
 
 }  // namespace gonio::reference
