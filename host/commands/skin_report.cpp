@@ -91,7 +91,7 @@ void print_spectra(const SkinTask& task, const std::vector<Skin>& sets,
     if (has_colour(task.wavelengths))
         print_colours(spectra);
     else
-        fmt::print(stderr, "no colour: that needs wavelengths from 380 to 780 nm\n");
+        fmt::print(stderr, "no colour: that needs 380 to 780 nm in steps of up to 20 nm\n");
 }
 
 void print_spectra_json(const SkinTask& task, const std::vector<Skin>& sets,

@@ -2,7 +2,7 @@
 // Colorimetry with the tables of the CIE.
 #include "gonio/colour.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
@@ -15,7 +15,7 @@
 namespace gonio {
 namespace {
 
-constexpr double first = 380, last = 780;  // nm
+constexpr double first = 380, last = 780, widest_step = 20;  // nm
 
 /// D65 times the colour matching functions, in steps of 5 nm, so that Y of white is 100.
 struct Observer {
@@ -59,13 +59,16 @@ double lightness_of(double ratio)
 
 bool has_colour(const std::vector<double>& wavelengths)
 {
-    return wavelengths.size() > 1 && wavelengths.front() <= first && wavelengths.back() >= last;
+    const auto leaves_a_gap = [](double a, double b) { return b - a > widest_step; };
+    return wavelengths.size() > 1 && wavelengths.front() <= first && wavelengths.back() >= last &&
+           std::ranges::adjacent_find(wavelengths, leaves_a_gap) == wavelengths.end();
 }
 
 glm::dvec3 tristimulus(const std::vector<double>& wavelengths,
                        const std::vector<double>& reflectance)
 {
-    if (!has_colour(wavelengths)) throw UsageError("a colour needs a spectrum from 380 to 780 nm");
+    if (!has_colour(wavelengths))
+        throw UsageError("a colour needs a spectrum from 380 to 780 nm in steps of up to 20 nm");
     const skin::Spectrum spectrum("the spectrum", wavelengths, reflectance);
     glm::dvec3 sum{0};
     for (std::size_t k = 0; k < observer().weights.size(); ++k)

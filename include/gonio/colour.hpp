@@ -7,7 +7,8 @@
 
 namespace gonio {
 
-/// Whether a spectrum at these wavelengths (nm, ascending) has a colour: 380 to 780 are covered.
+/// Whether a spectrum at these wavelengths (nm, ascending) has a colour: 380 to 780 are covered, in
+/// steps of up to 20.
 bool has_colour(const std::vector<double>& wavelengths);
 
 /// X, Y, Z of a reflectance, in steps of 5 nm between which it is linear; Y is 100 for a perfect

@@ -52,13 +52,17 @@ TEST(Colours, HundredPeopleOfNist)
 // sums over 1 nm.
 TEST(Colours, WhiteIsWhite)
 {
-    const auto white = colour_of({380, 780}, {1, 1});
+    std::vector<double> wavelengths;
+    for (int at = 380; at <= 780; at += 20) wavelengths.push_back(at);
+    const auto white = colour_of(wavelengths, std::vector<double>(wavelengths.size(), 1));
     EXPECT_NEAR(white.xyz.x, 95.04297, 5e-6);
     EXPECT_NEAR(white.xyz.y, 100, 1e-12);
     EXPECT_NEAR(white.xyz.z, 108.88005, 5e-6);
     EXPECT_NEAR(white.lab.x, 100, 1e-12);
     EXPECT_NEAR(white.lab.y, 0, 1e-12);
     EXPECT_EQ(white.srgb, glm::ivec3(255, 255, 255));
+    wavelengths.erase(wavelengths.begin() + 5);
+    EXPECT_FALSE(has_colour(wavelengths));
     EXPECT_THROW(colour_of({400, 780}, {1, 1}), UsageError);
 }
 
