@@ -39,8 +39,10 @@ struct PhaseFields {
     {
         terms(0, 0, 1);
         const std::vector<float> records = phase_segments(phase);
-        record[layer_first_segment] = static_cast<float>(segments.size() / segment_fields);
-        record[layer_segments] = static_cast<float>(records.size() / segment_fields);
+        const std::size_t first = segments.size() / segment_fields;
+        const std::size_t count = records.size() / segment_fields;
+        record[layer_first_segment] = static_cast<float>(first);
+        record[layer_segments] = static_cast<float>(count);
         segments.insert(segments.end(), records.begin(), records.end());
     }
 
