@@ -69,7 +69,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
     std::string of_layers;
     const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
         if (job.skin) {
-            const auto run = make_skin_table(job, &throw_if_interrupted);
+            auto run = make_skin_table(job, &throw_if_interrupted);
             progress.advance(static_cast<double>(job.header.cells()));
             of_layers +=
                 fmt::format("{}: {} of skin, without noise, error {:.1e}, {}\n", job.name,

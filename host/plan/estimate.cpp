@@ -77,7 +77,7 @@ Estimate estimate(const Job& job, double values_per_second)
                                                 tiles_in_memory * ComputeOptions{}.tile_bytes);
     // What a photon takes is known when some have been followed.
     cost.seconds = job.layers || job.skin ? std::numeric_limits<double>::quiet_NaN()
-                              : static_cast<double>(cost.values) / values_per_second;
+                                          : static_cast<double>(cost.values) / values_per_second;
     if (!job.cells.empty()) cost.seconds *= evaluations_of_an_integral;
     return cost;
 }
