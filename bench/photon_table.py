@@ -31,11 +31,13 @@ def row(run):
 
 def main():
     readme, bench = map(pathlib.Path, sys.argv[1:])
+    runs = json.loads(bench.read_text())["benchmarks"]
     table = (
+        f"Measured on {runs[0]['label']}.\n\n"
         "| medium | photons a second and core | with MCML's roulette, 1e-4 | times the scalar "
         "reference | times MCML 2.0 | times width 1 | two cores over one | time with A(r, z) |\n"
         "|---|---|---|---|---|---|---|---|\n"
-        + "".join(row(run) for run in json.loads(bench.read_text())["benchmarks"])
+        + "".join(map(row, runs))
     )
     text, count = re.subn(
         f"{BEGIN}.*?{END}", lambda _: BEGIN + table + END, readme.read_text(), flags=re.DOTALL

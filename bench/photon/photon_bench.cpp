@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <map>
+#include <string>
 
 #include "gonio/photons.hpp"
 #include "opencl/photon_kernel.hpp"
@@ -101,6 +102,7 @@ void photons(benchmark::State& state, const MciRun& run)
     }
     const double cores = device.info().compute_units;
     const double variances = variance(device, run, mcml_roulette) / variance(device, run, preset);
+    state.SetLabel(device.info().name + ", vector width " + std::to_string(device.width()));
     state.counters["photons_per_core"] = usual.rate() / cores;
     state.counters["at_1e_4"] = deep.rate() / cores;
     state.counters["vs_scalar"] = deep.rate() / cores / median(scalar);
