@@ -8,10 +8,9 @@ BENCH: gonio_bench --benchmark_format=json.
 
 import json
 import pathlib
-import re
 import sys
 
-BEGIN, END = "<!-- models: made by ./dev readme -->\n", "<!-- /models -->"
+from readme_table import replace
 
 
 def rows(models, measured, benches):
@@ -43,12 +42,7 @@ def main():
         "| times C++: tables / textbook | albedo up to |\n"
         "|---|---|---|---|---|---|---|\n" + "".join(rows(models["models"], found, benches))
     )
-    text, count = re.subn(
-        f"{BEGIN}.*?{END}", lambda _: BEGIN + table + END, readme.read_text(), flags=re.DOTALL
-    )
-    if count != 1:
-        sys.exit(f"{readme} has not the two marks")
-    readme.write_text(text)
+    replace(readme, "models", table)
 
 
 if __name__ == "__main__":

@@ -7,10 +7,10 @@ BENCH: gonio_bench --benchmark_filter=^photons/ --benchmark_format=json.
 
 import json
 import pathlib
-import re
 import sys
 
-BEGIN, END = "<!-- photons: made by ./dev readme -->\n", "<!-- /photons -->"
+from readme_table import replace
+
 TITLES = {
     "slab": "slab, van de Hulst 1980",
     "sample": "three layers, MCML's sample",
@@ -39,12 +39,7 @@ def main():
         "|---|---|---|---|---|---|---|---|\n"
         + "".join(map(row, runs))
     )
-    text, count = re.subn(
-        f"{BEGIN}.*?{END}", lambda _: BEGIN + table + END, readme.read_text(), flags=re.DOTALL
-    )
-    if count != 1:
-        sys.exit(f"{readme} has not the two marks")
-    readme.write_text(text)
+    replace(readme, "photons", table)
 
 
 if __name__ == "__main__":
