@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grid/azimuths.hpp"
 #include "photon/exact_values.hpp"
 
 namespace gonio {
@@ -23,8 +24,8 @@ const std::vector<Fraction>& tally(const PhotonResult& result, const PhotonTalli
 /// Both sides of the plane of incidence share their rows.
 std::size_t azimuth_rows(const Axis& delta_phi)
 {
-    const bool whole_turn = delta_phi.values.front() + delta_phi.values.back() > 270;
-    return whole_turn ? delta_phi.values.size() / 2 : delta_phi.values.size();
+    const std::size_t cells = delta_phi.values.size();
+    return covers_whole_turn(delta_phi) ? cells / 2 : cells;
 }
 
 /// f_r in cells (theta_o, delta_phi): the light in a bin over the integral of cos theta_o there.

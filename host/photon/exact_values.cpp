@@ -21,12 +21,6 @@ constexpr double budget_tolerance = 1e-6;
 constexpr double angular_tolerance = 1e-4;  // of the largest value
 constexpr double brdf_tolerance = 1e-3;
 
-const reference::Illumination& lit(const LightJob& light,
-                                   const reference::LayeredSolution& solution)
-{
-    return light.light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0];
-}
-
 double tolerance(const LightJob& light, double otherwise)
 {
     return light.budget.max_error.value_or(otherwise);
@@ -37,7 +31,7 @@ ExactValues budget(const LightJob& light)
     const auto solution = reference::solve_layers_to(
         light.medium, {.incidence = {light.light.incidence}}, tolerance(light, budget_tolerance));
     ExactValues result{{}, solution.nodes};
-    for (const double part : parts_of(lit(light, solution).budget))
+    for (const double part : parts_of(solution.under(light.light).budget))
         result.values.push_back({part, solution.error});
     return result;
 }
@@ -140,7 +134,7 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha)
     (up ? request.exit_above : request.exit_below) = exits;
     const auto solution =
         reference::solve_layers_to(light.medium, request, tolerance(light, angular_tolerance));
-    const reference::Illumination& found = lit(light, solution);
+    const reference::Illumination& found = solution.under(light.light);
     const Eigen::VectorXd& intensity = up ? found.reflected : found.transmitted;
     const double error =
         intensity.size() == 0 ? 0 : solution.angular_error * intensity.cwiseAbs().maxCoeff();

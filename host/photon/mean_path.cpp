@@ -20,8 +20,7 @@ Logarithms leaving(const LightJob& light, std::size_t layer, double added, int n
     medium.layers[layer].mua += added;
     const auto solution =
         reference::solve_layers(medium, {.incidence = {light.light.incidence}}, nodes);
-    const auto& budget =
-        (light.light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget;
+    const auto& budget = solution.under(light.light).budget;
     return {std::log(budget.diffuse_reflectance),
             std::log(budget.unscattered_transmittance + budget.diffuse_transmittance)};
 }

@@ -48,6 +48,12 @@ struct LayeredSolution {
     // Bounds come from the difference to a solution with 0.7 times the nodes.
     double error = 0;          ///< of the worst number in the budgets
     double angular_error = 0;  ///< of the worst intensity, over the largest of its illumination
+
+    /// Under such a light, of whose beams the first incidence is that one's.
+    const Illumination& under(const LightSource& light) const
+    {
+        return light.beam == Beam::diffuse ? diffuse : collimated.front();
+    }
 };
 
 /// Solves with about `nodes` quadrature directions a hemisphere: for tissue 48 give 1e-6 and 96

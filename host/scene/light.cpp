@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "grid/azimuths.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
@@ -44,8 +45,8 @@ void check_grid(const Value& where, const TableRequest& request)
             "layers have their BRDF on a grid of kind = \"isotropic\" with samples = "
             "\"centre\"");
     const Axis& azimuth = grid.axes[2];
-    const bool whole_turn = azimuth.values.front() + azimuth.values.back() > 270;
-    if (request.solver == "monte_carlo" && whole_turn && azimuth.values.size() % 2 != 0)
+    if (request.solver == "monte_carlo" && covers_whole_turn(azimuth) &&
+        azimuth.values.size() % 2 != 0)
         where.fail("bins over 360 deg of `delta_phi` must be even in number, or end at 180 deg");
 }
 

@@ -126,8 +126,7 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
              ++set) {
             const auto solution = reference::solve_layers_once(
                 problem.medium(set * each + k), problem.request(), rule.nodes, std::ref(slabs));
-            const bool diffuse = light.beam == Beam::diffuse;
-            store((diffuse ? solution.diffuse : solution.collimated[0]).budget, k, spectra[set]);
+            store(solution.under(light).budget, k, spectra[set]);
             after_each();
         }
     });

@@ -32,8 +32,7 @@ void compare_with_exact(ZTest& test, const std::string& name, const LayeredMediu
 {
     const auto solution =
         reference::solve_layers_to(medium, {.incidence = {light.incidence}}, 2e-5);
-    const auto& exact =
-        (light.beam == Beam::diffuse ? solution.diffuse : solution.collimated[0]).budget;
+    const auto& exact = solution.under(light).budget;
     const PhotonResult result = simulate_photons(medium, photon_request(photons, light), photons);
     const auto add = [&](const std::string& part, const Fraction& measured, double expected) {
         // A device's specular reflectance without chance is rounded to 2^-30.
