@@ -15,8 +15,9 @@ static inline real blinn_phong_norm(int form, float n)
 static inline void blinn_phong_eval(const blinn_phong_params* p, const directions* d,
                                     real f[CHANNELS])
 {
-    const real lobe = blinn_phong_norm(p->form, p->exponent) * power_of_cos_h(d, p->exponent);
-    FOR_CHANNELS(c) f[c] = p->rho_s[c] * lobe;
+    const real norm = blinn_phong_norm(p->form, p->exponent);
+    const real power = power_of_cos_h(d, p->exponent);
+    FOR_CHANNELS(c) f[c] = p->rho_s[c] * norm * power;
 }
 
 /// Half vectors with (n + 1)/(2 pi) (n.h)^n, over 4 (l.h).

@@ -11,12 +11,12 @@
 /// exp(r) - 1 for |r| <= 0.35
 static inline real exp_less_one(real r)
 {
-    real p = (real)(R(0.00139261761199));
-    p = fma(p, r, (real)(R(0.00836317307451)));
-    p = fma(p, r, (real)(R(0.0416665546621)));
-    p = fma(p, r, (real)(R(0.166665770256)));
-    p = fma(p, r, (real)(R(0.5)));
-    return fma(r * r, p, r);
+    // In pairs: one evaluation is a chain of operations, and its length is what costs time.
+    const real z = r * r;
+    const real high = fma((real)(R(0.00139261761199)), r, (real)(R(0.00836317307451)));
+    const real even = fma((real)(R(0.0416665546621)), z, (real)(R(0.5)));
+    const real odd = fma(high, z, (real)(R(0.166665770256)));
+    return fma(z, fma(odd, r, even), r);
 }
 
 /// exp(-q) for q >= -87, and 0 from q = 87 on, before float32 runs out of normal numbers. Error

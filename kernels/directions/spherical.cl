@@ -52,7 +52,8 @@ static inline directions directions_of_cell(const grid_row* row, uint at)
     // Sums of squares: with d = theta_i - theta_o and S = theta_i + theta_o
     // tan^2 theta_h = tan^2(d/2) sin^2(delta/2) + tan^2(S/2) cos^2(delta/2), and likewise for the
     // others.
-    d.tan2_h = ROW_FIELD(tan2_half_difference) * sin2_half + ROW_FIELD(tan2_half_sum) * cos2_half;
+    d.tan2_h =
+        fma(ROW_FIELD(tan2_half_difference), sin2_half, ROW_FIELD(tan2_half_sum) * cos2_half);
     d.cos2_d = ROW_FIELD(cos2_half_sum) + sin_sin.hi * cos2_half;
     // cos theta_h cos theta_d = (cos_i + cos_o)/2, since l + v = 2 cos theta_d h: no division in
     // the loop.
