@@ -13,6 +13,7 @@
 #include "plan/estimate.hpp"
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
+#include "skin/profile_table.hpp"
 #include "skin/skin_table.hpp"
 
 namespace gonio {
@@ -36,20 +37,39 @@ void print(const Job& job, const MadeTable& made, std::size_t width)
                made.accuracy.relative, made.accuracy.complete ? ' ' : '*', job.path.string());
 }
 
+/// Tells progress of a job by the part that is done, and heeds Ctrl-C.
+class Advance {
+public:
+    Advance(Progress& progress, const Job& job)
+        : progress_(progress), cells_(static_cast<double>(job.header.cells()))
+    {
+    }
+    ~Advance() { progress_.advance(cells_ * (1 - told_)); }
+    Advance(const Advance&) = delete;
+    Advance& operator=(const Advance&) = delete;
+
+    void operator()(double part)
+    {
+        progress_.advance(cells_ * std::max(0.0, part - told_));
+        told_ = std::max(told_, part);
+        throw_if_interrupted();
+    }
+
+private:
+    Progress& progress_;
+    double cells_, told_ = 0;
+};
+
 /// Makes the table of layers with a line of progress; returns the line of the summary.
 std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device, const Job& job,
                                                            Progress& progress)
 {
-    const double cells = static_cast<double>(job.header.cells());
-    double told = 0;
+    Advance advance(progress, job);
     const LightTable made = make_light_table(device, job, [&](const LightProgress& now) {
         progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
                                    now.photons_per_second, now.error));
-        progress.advance(cells * std::max(0.0, now.fraction - told));
-        told = std::max(told, now.fraction);
-        throw_if_interrupted();
+        advance(now.fraction);
     });
-    progress.advance(cells * (1 - told));
     const auto how = made.photons == 0 ? std::string("without noise")
                                        : fmt::format("{} photons, {:.3g} photons/s", made.photons,
                                                      made.photons_per_second);
@@ -68,6 +88,14 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
     std::vector<std::pair<Job, MadeTable>> made;
     std::string of_layers;
     const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
+        if (job.profile) {
+            Advance advance(progress, job);
+            auto run = make_profile_table(device, job, [&](double part) { advance(part); });
+            of_layers += fmt::format("{}: {} of skin, {:.3g} photons a wavelength, {}\n", job.name,
+                                     job.header.quantity, run.at("photons").get<double>(),
+                                     job.path.string());
+            return run;
+        }
         if (job.skin) {
             auto run = make_skin_table(job, &throw_if_interrupted);
             progress.advance(static_cast<double>(job.header.cells()));

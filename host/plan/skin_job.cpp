@@ -3,6 +3,7 @@
 #include "plan/skin_job.hpp"
 
 #include "plan/header.hpp"
+#include "skin/profile_table.hpp"
 #include "skin/skin_sets.hpp"
 
 namespace gonio {
@@ -10,14 +11,15 @@ namespace gonio {
 void fill_skin(Job& job, const TableRequest& request, const std::string& material, const Skin& skin,
                const std::vector<Sweep>& axes)
 {
+    const Quantity& quantity = *request.quantity;
+    const bool traced = request.solver == "monte_carlo";
     SkinTask task{.skin = skin,
                   .ladders = {},
-                  .wavelengths = request.axes[0].values,
+                  .wavelengths = traced ? std::vector<double>() : request.axes[0].values,
                   .light = request.light,
                   .tolerance = request.budget.max_error.value_or(1e-4)};
     for (const Sweep& sweep : axes) task.ladders.push_back({sweep.parameter, sweep.values});
-    const Quantity& quantity = *request.quantity;
-    job.header = skin_header(task);
+    job.header = traced ? profile_header(task, request) : skin_header(task);
     job.header.quantity = quantity.id;
     job.header.unit = quantity.unit;
     job.header.single_precision = job.format == "exr";
@@ -25,7 +27,9 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     attributes.emplace_back("title", std::string(quantity.title));
     attributes.emplace_back("storage", storage_text(job));
     attributes.emplace_back("material", material);
-    if (quantity.id != "reflectance_spectrum") {
+    if (traced)
+        job.profile = profile_request(request);
+    else if (quantity.id != "reflectance_spectrum") {
         job.header.axes.pop_back();  // the wavelength, which the observer has summed over
         job.header.channels = quantity.id == "colour_rgb" ? std::vector<std::string>{"R", "G", "B"}
                                                           : std::vector<std::string>{"X", "Y", "Z"};

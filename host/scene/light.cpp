@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads what a table of layers asks for: how they are lit, and over which bins.
+// Reads what a table of layers asks for: how they are lit, and over what.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,34 +7,11 @@
 #include <numbers>
 
 #include "grid/azimuths.hpp"
+#include "scene/bins.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
 namespace {
-
-constexpr double even_tolerance = 1e-9;  // of a bin
-
-std::string wanted_axes(const Quantity& quantity)
-{
-    std::string text;
-    for (const auto& [name, unit] : quantity.axes)
-        text += fmt::format("{}{} = {{ to = {}, count = … }}", text.empty() ? "" : ", ", name,
-                            unit == "deg" ? "90" : "…");
-    return fmt::format("axes = {{ {} }}", text);
-}
-
-/// Bins are even, begin at 0, and angles end at 90 degrees.
-void check_bins(const Value& where, const Axis& axis)
-{
-    const double width = 2 * axis.values.front();
-    const double end = width * static_cast<double>(axis.values.size());
-    const double last = axis.values.back() + axis.values.front();
-    if (axis.samples != Samples::centre || !(width > 0) ||
-        std::abs(last - end) > even_tolerance * end)
-        where.fail(fmt::format("the bins of `{}` must be even, from 0 on", axis.name));
-    if (axis.unit == "deg" && std::abs(end - 90) > even_tolerance * 90)
-        where.fail(fmt::format("the angles of `{}` must end at 90 deg, not at {}", axis.name, end));
-}
 
 /// What the solvers of a BRDF can fill.
 void check_grid(const Value& where, const TableRequest& request)
@@ -92,26 +69,6 @@ void read_light(const Section& table, TableRequest& request)
     const auto radius = table.find("radius");
     if (radius && !wide)
         radius->fail("`radius` is for light = \"gaussian\" and light = \"top_hat\"");
-}
-
-void read_bins(const Section& table, TableRequest& request)
-{
-    const Quantity& quantity = *request.quantity;
-    if (quantity.axes.empty()) {
-        if (const auto axes = table.find("axes"))
-            axes->fail(fmt::format("the quantity `{}` has no axes", quantity.id));
-        return;
-    }
-    const Value axes = table.at("axes");
-    bool fit = request.axes.size() == quantity.axes.size();
-    for (std::size_t k = 0; fit && k < quantity.axes.size(); ++k)
-        fit = request.axes[k].name == quantity.axes[k].name;
-    if (!fit)
-        axes.fail(fmt::format("the quantity `{}` needs {}", quantity.id, wanted_axes(quantity)));
-    for (std::size_t k = 0; k < quantity.axes.size(); ++k) {
-        request.axes[k].unit = quantity.axes[k].unit;
-        check_bins(axes, request.axes[k]);
-    }
 }
 
 }  // namespace

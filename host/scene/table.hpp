@@ -27,6 +27,9 @@ void read_light_request(const Section& table, TableRequest& request);
 /// How skin is lit, and at which wavelengths. Throws UsageError where it has no layers there.
 void read_skin_request(const Section& table, const Skin& skin, TableRequest& request);
 
+/// Over what the light that spreads in skin is asked for, and with how many photons.
+void read_profile_request(const Section& table, TableRequest& request);
+
 /// Are these the axes of an integral over the hemisphere: the quantity's directions, and numbers of
 /// the material? Throws UsageError at the one that is not. Directions get their unit.
 void check_integral_axes(const Section& table, const SceneMaterial& material,

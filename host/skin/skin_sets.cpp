@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "gonio/colour.hpp"
+#include "gonio/quantity.hpp"
 #include "version.hpp"
 
 namespace gonio {
@@ -48,28 +49,14 @@ void add_colours(Attributes& all, const std::vector<SkinSpectrum>& spectra)
     all.emplace_back("colour.ITA.unit", std::string("deg"));
 }
 
-Attributes attributes_of(const SkinTask& task)
+void add_solver(Attributes& all, const SkinTask& task)
 {
-    const SkinModel& model = task.skin.model();
-    Attributes all{{"program", std::string(GONIO_PROGRAM)},
-                   {"skin", model.id},
-                   {"citation", model.citation},
-                   {"solver", std::string("adding_doubling")},
-                   {"max_error", task.tolerance},
-                   {"light", std::string(task.light.beam == Beam::diffuse ? "diffuse" : "beam")}};
-    if (task.light.beam != Beam::diffuse) {
-        all.emplace_back("theta_i", task.light.incidence * 180 / std::numbers::pi);
-        all.emplace_back("theta_i.unit", std::string("deg"));
-    }
-    for (std::size_t k = 0; k < model.parameters.size(); ++k) {
-        const auto& [name, unit, least, greatest, preset, doc] = model.parameters[k];
-        if (is_ladder(task, name)) continue;
-        all.emplace_back(name, task.skin.values()[k]);
-        if (unit != "1") all.emplace_back(name + ".unit", unit);
-    }
-    for (std::size_t k = 0; k < model.layers.size(); ++k)
-        all.emplace_back(fmt::format("layer_{}", k + 1), model.layers[k]);
-    return all;
+    all.emplace_back("solver", std::string("adding_doubling"));
+    all.emplace_back("max_error", task.tolerance);
+    all.emplace_back("light", std::string(task.light.beam == Beam::diffuse ? "diffuse" : "beam"));
+    if (task.light.beam == Beam::diffuse) return;
+    all.emplace_back("theta_i", task.light.incidence * 180 / std::numbers::pi);
+    all.emplace_back("theta_i.unit", std::string("deg"));
 }
 
 }  // namespace
@@ -118,21 +105,38 @@ std::string fixed_text(const SkinTask& task)
     return text;
 }
 
-TableHeader skin_header(const SkinTask& task)
+TableHeader sets_header(const SkinTask& task, const Quantity& quantity)
 {
     const SkinModel& model = task.skin.model();
-    TableHeader header{.quantity = "reflectance_spectrum",
-                       .unit = "1",
-                       .axes = {},
-                       .channels = {"reflectance", "specular", "transmittance", "bottom"},
-                       .single_precision = false,
-                       .attributes = attributes_of(task)};
+    TableHeader header;
+    header.quantity = quantity.id;
+    header.unit = quantity.unit;
+    header.single_precision = false;
+    header.attributes.emplace_back("program", std::string(GONIO_PROGRAM));
+    header.attributes.emplace_back("skin", model.id);
+    header.attributes.emplace_back("citation", model.citation);
+    for (std::size_t k = 0; k < model.parameters.size(); ++k) {
+        const auto& [name, unit, least, greatest, preset, doc] = model.parameters[k];
+        if (is_ladder(task, name)) continue;
+        header.attributes.emplace_back(name, task.skin.values()[k]);
+        if (unit != "1") header.attributes.emplace_back(name + ".unit", unit);
+    }
+    for (std::size_t k = 0; k < model.layers.size(); ++k)
+        header.attributes.emplace_back(fmt::format("layer_{}", k + 1), model.layers[k]);
     for (const SkinLadder& ladder : task.ladders) {
         const std::string& unit = model.parameters[model.index_of(ladder.parameter)].unit;
         header.axes.push_back({ladder.parameter, unit, ladder.values, Samples::node});
     }
+    return header;
+}
+
+TableHeader skin_header(const SkinTask& task)
+{
+    TableHeader header = sets_header(task, find_quantity("reflectance_spectrum", Substance::skin));
+    add_solver(header.attributes, task);
     header.axes.push_back({"wavelength", "nm", task.wavelengths, Samples::node});
-    for (std::size_t k = 1; k <= model.layers.size(); ++k)
+    header.channels = {"reflectance", "specular", "transmittance", "bottom"};
+    for (std::size_t k = 1; k <= task.skin.model().layers.size(); ++k)
         header.channels.push_back(fmt::format("layer_{}", k));
     header.channels.emplace_back("reflectance.error");
     return header;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gonio/quantity.hpp"
 #include "gonio/skin.hpp"
 #include "gonio/table.hpp"
 
@@ -18,6 +19,9 @@ std::string label_of(const SkinTask& task, const Skin& set);
 
 /// "melanin 0.05, blood 0.002, thickness 0.006 cm": the numbers that no ladder changes.
 std::string fixed_text(const SkinTask& task);
+
+/// What all tables of skin have: the ladders as axes, the model and its parameters as attributes.
+TableHeader sets_header(const SkinTask& task, const Quantity& quantity);
 
 /// Axes: the ladders, then the wavelength. Channels: reflectance, specular (a part of it),
 /// transmittance, bottom, one for each layer, and the bound of their errors.

@@ -11,6 +11,7 @@
 #include "gonio/albedo.hpp"
 #include "gonio/grid.hpp"
 #include "gonio/material.hpp"
+#include "gonio/profile.hpp"
 #include "gonio/scene.hpp"
 #include "gonio/table.hpp"
 
@@ -40,12 +41,13 @@ struct Job {
         materials;  ///< one per point of the swept axes, in row-major order; the same lobes in each
     Measure measure = Measure::brdf;
     Grid grid;
-    std::optional<LightJob> layers;   ///< in place of materials, measure and grid
-    std::optional<SkinTask> skin;     ///< in place of them all
-    std::vector<IntegralCell> cells;  ///< in place of the grid, in the order of the table
-    double max_error = 1e-6;          ///< of an integral
-    bool must_reach = false;          ///< it is an error if the max_error asked for is not reached
-    TableHeader header;               ///< swept axes first, then those of the grid or the cells
+    std::optional<LightJob> layers;         ///< in place of materials, measure and grid
+    std::optional<SkinTask> skin;           ///< in place of them all
+    std::optional<ProfileRequest> profile;  ///< of the skin: its R(r) by photons
+    std::vector<IntegralCell> cells;        ///< in place of the grid, in the order of the table
+    double max_error = 1e-6;                ///< of an integral
+    bool must_reach = false;  ///< it is an error if the max_error asked for is not reached
+    TableHeader header;       ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;

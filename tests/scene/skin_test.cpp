@@ -6,8 +6,10 @@
 
 #include "gonio/colour.hpp"
 #include "gonio/job.hpp"
+#include "output/table_json.hpp"
 #include "reference/adding_doubling.hpp"
 #include "scene/scene_fixtures.hpp"
+#include "skin/profile_table.hpp"
 #include "skin/skin_table.hpp"
 
 namespace gonio {
@@ -89,7 +91,7 @@ TEST(SceneOfSkin, IsCheckedBefore)
               "`skin/whole_blood.csv`");
     EXPECT_EQ(refusal(skin + "quantity = @\"colour\"\n"),
               "there is no quantity `colour`; known are: reflectance_spectrum, colour_rgb, "
-              "colour_xyz");
+              "colour_xyz, profile_rgb, preintegrated_rgb");
     EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\naxes = @{ wavelength = { values = [500] } "
                              "}\n"),
               "the quantity `colour_rgb` has no axes");
@@ -99,6 +101,34 @@ TEST(SceneOfSkin, IsCheckedBefore)
                              "= [500, 1100] } }\n"),
               "1100 nm: skin `jacques_1998` is known at 250 to 1000 nm; so far goes "
               "`skin/haemoglobin.csv`");
+    const std::string arm = head + "skin = \"pyxopto\"\n[[table]]\nmaterial = \"arm\"\n";
+    EXPECT_EQ(refusal(arm + "quantity = \"profile_rgb\"\naxes = @{ z = { to = 1, count = 9 } }\n"),
+              "the quantity `profile_rgb` needs axes = { r = { to = …, count = … } }");
+    EXPECT_EQ(refusal(arm + "quantity = \"profile_rgb\"\n@max_error = 0.1\n").substr(0, 23),
+              "unknown key `max_error`");
+    EXPECT_EQ(refusal(arm + "quantity = \"preintegrated_rgb\"\naxes = @{ n_dot_l = { values = "
+                            "[-1, 1] }, curvature = { values = [0, 20] } }\n"),
+              "`curvature` is 20; allowed is 0 to 10");
+}
+
+TEST(SceneOfSkin, SpreadsLight)
+{
+    const std::string scene =
+        "[[material]]\nname = \"arm\"\nskin = \"pyxopto\"\n[[table]]\nmaterial = \"arm\"\n"
+        "format = \"npy\"\nphotons = 4096\nquantity = \"preintegrated_rgb\"\n"
+        "axes = { n_dot_l = { values = [-1, 0, 1] }, curvature = { values = [0, 0.2] } }\n";
+    const Job job = plan_jobs(parse_scene(scene, "s.toml"), testing::TempDir()).at(0);
+    const auto run = make_profile_table(Device(), job, [](double) {});
+    const Table table = read_table(job.path);
+    ASSERT_EQ(table.header.channels, (std::vector<std::string>{"R", "G", "B"}));
+    EXPECT_EQ(definition(job), text_of(to_json(table.header)));
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(table.values[c][4], 1, 1e-6);  // n.l = 1 on a plane
+        EXPECT_LT(table.values[c][5], 1);          // and on a sphere
+        EXPECT_GT(table.values[c][3], 0);          // beyond the terminator of the sphere
+    }
+    EXPECT_GT(table.values[0][3], table.values[2][3]);  // which is red
+    EXPECT_EQ(run.at("fits").size(), 1U);
 }
 
 }  // namespace

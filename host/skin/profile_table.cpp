@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a job to its table of light that spreads in skin.
+#include "skin/profile_table.hpp"
+
+#include "photon/bins.hpp"
+#include "scene/located.hpp"
+#include "skin/skin_sets.hpp"
+
+namespace gonio {
+namespace {
+
+nlohmann::ordered_json fits_of(const ProfileFit<SumOfGaussians>& gaussians,
+                               const RadialProfile& profile)
+{
+    const auto burley = fit_burley(profile);
+    return {{"gaussians",
+             {{"variance_mm2", gaussians.function.variances},
+              {"weight_rgb", gaussians.function.weights},
+              {"error_rgb", gaussians.error}}},
+            {"burley",
+             {{"albedo_rgb", burley.function.albedo},
+              {"distance_mm_rgb", burley.function.distance},
+              {"error_rgb", burley.error}}}};
+}
+
+/// Per area of the rings, and the errors behind.
+void append_rings(Table& table, const RadialProfile& profile)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t k = 0; k < profile.rings[c].size(); ++k) {
+            const double area = ring_area(k, profile.width);
+            table.values[c].push_back(profile.rings[c][k].mean / area);
+            table.values[c + 3].push_back(profile.rings[c][k].error / area);
+        }
+}
+
+void append_sphere(Table& table, const SumOfGaussians& profile, const Axis& cosines,
+                   const Axis& curvatures)
+{
+    for (const double cosine : cosines.values)
+        for (const double curvature : curvatures.values) {
+            const auto light = around_a_sphere(profile, cosine, curvature);
+            for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(light[c]);
+        }
+}
+
+}  // namespace
+
+ProfileRequest profile_request(const TableRequest& request)
+{
+    ProfileRequest wanted{.seed = request.seed};
+    wanted.photons = request.budget.photons.value_or(wanted.photons);
+    if (request.quantity->id == "profile_rgb") {
+        wanted.rings = request.axes[0].values.size();
+        wanted.width = 2 * request.axes[0].values.front();
+    }
+    return wanted;
+}
+
+TableHeader profile_header(const SkinTask& task, const TableRequest& request)
+{
+    TableHeader header = sets_header(task, *request.quantity);
+    header.axes.insert(header.axes.end(), request.axes.begin(), request.axes.end());
+    header.channels = {"R", "G", "B"};
+    if (request.quantity->id == "profile_rgb")
+        for (const auto name : {"R.error", "G.error", "B.error"})
+            header.channels.emplace_back(name);
+    const ProfileRequest wanted = profile_request(request);
+    auto& all = header.attributes;
+    all.emplace_back("solver", request.solver);
+    all.emplace_back("photons", static_cast<double>(wanted.photons));
+    all.emplace_back("seed", static_cast<double>(wanted.seed));
+    all.emplace_back("colour.observer", std::string("CIE 1931 2 deg, D65, every 20 nm"));
+    return header;
+}
+
+nlohmann::ordered_json make_profile_table(const Device& device, const Job& job,
+                                          const std::function<void(double)>& after_each)
+{
+    return located(job.where, [&]() -> nlohmann::ordered_json {
+        const auto sets = sets_of(*job.skin);
+        Table table{job.header, std::vector<std::vector<double>>(job.header.channels.size())};
+        nlohmann::ordered_json fits = nlohmann::ordered_json::array();
+        for (std::size_t k = 0; k < sets.size(); ++k) {
+            const auto profile = trace_profile(device, sets[k], *job.profile, [&](double part) {
+                after_each((static_cast<double>(k) + part) / static_cast<double>(sets.size()));
+            });
+            const auto gaussians = fit_gaussians(profile);
+            fits.push_back(fits_of(gaussians, profile));
+            if (job.header.quantity == "profile_rgb")
+                append_rings(table, profile);
+            else
+                append_sphere(table, gaussians.function, *(job.header.axes.end() - 2),
+                              job.header.axes.back());
+        }
+        write_table(job.path, job.format, table, job.write);
+        return {{"photons", job.profile->photons}, {"fits", fits}};
+    });
+}
+
+}  // namespace gonio
