@@ -3,22 +3,16 @@
 // (c_x l.x v.x + c_y l.y v.y + c_z l.z v.z)^n, 0 where the sum is not positive.
 #include "core/lobe.cl"
 
-static inline two_floats lafortune_weighted(float weight, two_floats x)
-{
-    const two_floats factor = {(real)(weight), (real)(R(0.0))};
-    return two_floats_product(factor, x);
-}
-
 /// In two floats: the sum cancels, and exponents of hundreds magnify what rounding leaves.
 static inline two_floats lafortune_sum(const lafortune_params* p, const directions* d, int c)
 {
-    const two_floats along = lafortune_weighted(p->c_z[c], d->cos_cos);
+    const two_floats along = two_floats_times(p->c_z[c], d->cos_cos);
 #if ISOTROPIC
-    return two_floats_plus(lafortune_weighted(p->c_x[c], d->tangent), along);
+    return two_floats_gathered(two_floats_times(p->c_x[c], d->tangent), along);
 #else
-    const two_floats x = lafortune_weighted(p->c_x[c], d->x_x);
-    const two_floats y = lafortune_weighted(p->c_y[c], d->y_y);
-    return two_floats_plus(two_floats_plus(x, y), along);
+    const two_floats x = two_floats_times(p->c_x[c], d->x_x);
+    const two_floats y = two_floats_times(p->c_y[c], d->y_y);
+    return two_floats_gathered(two_floats_gathered(x, y), along);
 #endif
 }
 
@@ -28,6 +22,6 @@ static inline void lafortune_eval(const lafortune_params* p, const directions* d
     {
         const two_floats sum = lafortune_sum(p, d, c);
         const real power = exp_of_negative(-p->exponent[c] * log_of_sum(sum.hi, sum.lo));
-        f[c] = choose(less((real)(R(0.0)), sum.hi), power, (real)(R(0.0)));
+        f[c] = choose(less((real)(R(0.0)), sum.hi + sum.lo), power, (real)(R(0.0)));
     }
 }

@@ -56,14 +56,14 @@ static inline real hyperbolic_sine(real x)
 /// log(1 + f) + n ln 2, with 1 + f in [sqrt 1/2, sqrt 2) and n times 2^23. Error below 2 ulp.
 static inline real log_of_parts(mask_t n_in_place, real f)
 {
-    // log(1 + f) = 2 artanh s = f - s (f - z P(z)) with s = f / (2 + f), z = s^2: few constants, so
-    // that they stay in registers.
-    const real s = f / (R(2.0) + f);
-    const real z = s * s;
-    real p = (real)(R(0.29579949392));
-    p = fma(p, z, (real)(R(0.39988780566)));
-    p = fma(p, z, (real)(R(0.666666850396)));
-    const real log_of_fraction = fma(-s, fma(-z, p, f), f);
+    // log(1 + f) = f + f^2 (f P(f) - 1/2), P in pairs: shorter than the chain through a division.
+    const real z = f * f;
+    const real low = fma((real)(R(-0.2500081956386566)), f, (real)(R(0.3333333134651184)));
+    const real middle = fma((real)(R(-0.16623356938362122)), f, (real)(R(0.20001226663589478)));
+    const real high = fma((real)(R(-0.13160184025764465)), f, (real)(R(0.14201758801937103)));
+    const real top = fma((real)(R(-0.07634488493204117)), f, (real)(R(0.12761573493480682)));
+    const real p = fma(fma(fma(top, z, high), z, middle), z, low);
+    const real log_of_fraction = fma(z, fma(f, p, (real)(R(-0.5))), f);
     return fma(real_of(n_in_place), (real)(R(8.26295829e-8)), log_of_fraction);
 }
 
@@ -73,8 +73,8 @@ static inline mask_t binary_exponent(real x)
     return (bits_of(x) - 0x3f3504f3) & (mask_t)(0xff800000);
 }
 
-/// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or x is what the rounding
-/// of base took away. Relatively accurate also where the sum is near 1.
+/// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or both are a sum in two
+/// floats. Relatively accurate also where the sum is near 1.
 static inline real log_of_sum(real base, real x)
 {
     const mask_t n = binary_exponent(base + x);

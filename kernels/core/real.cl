@@ -135,16 +135,31 @@ static inline two_floats two_floats_product(two_floats a, two_floats b)
     return result;
 }
 
+static inline two_floats two_floats_times(float a, two_floats b)
+{
+    const real product = a * b.hi;
+    const two_floats result = {product, fma((real)(a), b.hi, -product) + a * b.lo};
+    return result;
+}
+
 /// a + b, to about 2^-46 of the larger one (the exact sum of the high parts: Knuth, The Art of
-/// Computer Programming 2, 4.2.2, theorem B).
-static inline two_floats two_floats_plus(two_floats a, two_floats b)
+/// Computer Programming 2, 4.2.2, theorem B). Where the high parts cancel the low one may be as
+/// large as what is left of them.
+static inline two_floats two_floats_gathered(two_floats a, two_floats b)
 {
     const real sum = a.hi + b.hi;
     const real part = sum - a.hi;
     const real lost = (a.hi - (sum - part)) + (b.hi - part);
-    const real low = lost + (a.lo + b.lo);
-    const real high = sum + low;
-    const two_floats result = {high, low - (high - sum)};
+    const two_floats result = {sum, lost + (a.lo + b.lo)};
+    return result;
+}
+
+/// The same with a low part that is what the high one rounds away.
+static inline two_floats two_floats_plus(two_floats a, two_floats b)
+{
+    const two_floats sum = two_floats_gathered(a, b);
+    const real high = sum.hi + sum.lo;
+    const two_floats result = {high, sum.lo - (high - sum.hi)};
     return result;
 }
 
