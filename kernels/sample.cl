@@ -5,7 +5,7 @@
 #include "directions/offset.cl"
 #include "gonio/shared/sample_fields.h"
 
-#define LOBE(number, id, is_value) +1
+#define LOBE(number, id, is_value, is_weighted) +1
 enum { lobe_count = 0 LOBES };
 #undef LOBE
 
@@ -13,7 +13,7 @@ static inline mirror_offset sample_material(const material* m, const fixed_light
 {
     const mask_t chosen = bits_of(high_word(next_word(random), lobe_count));
     mirror_offset o = {(real)(R(0.0)), (real)(R(0.0)), (real)(R(0.0))};
-#define LOBE(number, id, is_value)                                           \
+#define LOBE(number, id, is_value, is_weighted)                              \
     {                                                                        \
         stream own = *random;                                                \
         const mirror_offset found = id##_sample(&m->lobe_##number, l, &own); \
@@ -27,7 +27,7 @@ static inline mirror_offset sample_material(const material* m, const fixed_light
 static inline real material_pdf(const material* m, const directions* d)
 {
     real sum = (real)(R(0.0));
-#define LOBE(number, id, is_value) sum += id##_pdf(&m->lobe_##number, d);
+#define LOBE(number, id, is_value, is_weighted) sum += id##_pdf(&m->lobe_##number, d);
     LOBES
 #undef LOBE
     return sum * (R(1.0) / (float)lobe_count);

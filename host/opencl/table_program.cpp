@@ -12,16 +12,23 @@
 namespace gonio {
 namespace {
 
-/// The program's first lines: core/material.cl says what they define.
-std::string preamble(const Material& material, const std::string& directions_file)
+bool is_weighted(const Lobe& lobe)
+{
+    return std::ranges::any_of(lobe.weight, [](double weight) { return weight != 1; });
+}
+
+/// The program's first lines: core/material.cl says what they define. general: for other weights
+/// than these, too.
+std::string preamble(const Material& material, const std::string& directions_file, bool general)
 {
     std::string includes = fmt::format("#include \"{}\"\n", directions_file);
     std::string lobes, choices;
     for (std::size_t k = 0; k < material.lobes.size(); ++k) {
         const Lobe& lobe = material.lobes[k];
         includes += fmt::format("#include \"brdf/{}.cl\"\n", lobe.model->id);
-        lobes += fmt::format(" LOBE({}, {}, {})", k, lobe.model->id,
-                             (lobe.traits() & VALUE) != 0 ? 1 : 0);
+        lobes +=
+            fmt::format(" LOBE({}, {}, {}, {})", k, lobe.model->id,
+                        (lobe.traits() & VALUE) != 0 ? 1 : 0, general || is_weighted(lobe) ? 1 : 0);
         for (std::size_t p = 0; p < lobe.values.size(); ++p)
             if (lobe.model->parameters[p].kind == Kind::choice)
                 choices += fmt::format("{}, ", lobe.values[p][0]);
@@ -66,8 +73,8 @@ cl::Kernel table_kernel(Device::State& device, const Material& material,
         fmt::format("ISOTROPIC={}", material.isotropic() ? 1 : 0),
         fmt::format("MIRROR={}", program.mirrored ? 1 : 0),
         fmt::format("RECIPROCAL={}", program.reciprocal ? 1 : 0)};
-    return {build_program(device, preamble(material, program.grid_file), "table.cl", definitions,
-                          program.width),
+    return {build_program(device, preamble(material, program.grid_file, false), "table.cl",
+                          definitions, program.width),
             "table"};
 }
 
@@ -75,14 +82,14 @@ cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool i
 {
     const std::vector<std::string> definitions{fmt::format("CHANNELS={}", material.channels()),
                                                fmt::format("ISOTROPIC={}", isotropic ? 1 : 0)};
-    return {build_program(device, preamble(material, "directions/quadrature.cl"), "albedo.cl",
+    return {build_program(device, preamble(material, "directions/quadrature.cl", true), "albedo.cl",
                           definitions, device.width),
             "albedo"};
 }
 
 cl::Kernel sampling_kernel(Device::State& device, const Material& material, const char* name)
 {
-    return {build_program(device, preamble(material, "directions/offset.cl"), "sample.cl",
+    return {build_program(device, preamble(material, "directions/offset.cl", true), "sample.cl",
                           {fmt::format("CHANNELS={}", material.channels())}, device.width),
             name};
 }

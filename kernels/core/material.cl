@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A material as a weighted sum of lobes. The program's first lines, written by the host, define
-//   - LOBES: LOBE(0, ward, 0) LOBE(1, lambert, 0) ...: number, model, whether it prints a value,
-//     which contains cos theta_i
+//   - LOBES: LOBE(0, ward, 0, 1) LOBE(1, lambert, 0, 1) ...: number, model, whether it prints a
+//     value, which contains cos theta_i, whether it has a weight that is not 1
 //   - CHOICES: the chosen options of all lobes, in order
 //   - MEASURE: measure_as_printed, measure_brdf or measure_brdf_cosine
 #ifndef GONIO_CORE_MATERIAL
@@ -10,7 +10,7 @@
 
 #ifndef LOBES
 #include "brdf/lambert.cl"
-#define LOBES LOBE(0, lambert, 0)
+#define LOBES LOBE(0, lambert, 0, 0)
 #define CHOICES 0
 #endif
 
@@ -24,8 +24,8 @@
 constant const int material_choices[] = {CHOICES};
 
 typedef struct {
-#define LOBE(number, id, is_value) \
-    id##_params lobe_##number;     \
+#define LOBE(number, id, is_value, is_weighted) \
+    id##_params lobe_##number;                  \
     float weight_##number[CHANNELS];
     LOBES
 #undef LOBE
@@ -35,7 +35,7 @@ typedef struct {
 static inline void load_material(material* m, global const float* values)
 {
     constant const int* choices = material_choices;
-#define LOBE(number, id, is_value)                   \
+#define LOBE(number, id, is_value, is_weighted)      \
     id##_load(&m->lobe_##number, &values, &choices); \
     FOR_CHANNELS(c) m->weight_##number[c] = *values++;
     LOBES
@@ -56,16 +56,17 @@ static inline real measure_factor(int is_value, const directions* d)
 
 static inline void evaluate_material(const material* m, const directions* d, real f[CHANNELS])
 {
-#define LOBE(number, id, is_value)                                        \
-    {                                                                     \
-        real lobe[CHANNELS];                                              \
-        id##_eval(&m->lobe_##number, d, lobe);                            \
-        const real factor = measure_factor(is_value, d);                  \
-        FOR_CHANNELS(c)                                                   \
-        {                                                                 \
-            const real term = m->weight_##number[c] * (lobe[c] * factor); \
-            f[c] = number == 0 ? term : f[c] + term;                      \
-        }                                                                 \
+#define LOBE(number, id, is_value, is_weighted)                                    \
+    {                                                                              \
+        real lobe[CHANNELS];                                                       \
+        id##_eval(&m->lobe_##number, d, lobe);                                     \
+        const real factor = measure_factor(is_value, d);                           \
+        FOR_CHANNELS(c)                                                            \
+        {                                                                          \
+            const real value = lobe[c] * factor;                                   \
+            const real term = is_weighted ? m->weight_##number[c] * value : value; \
+            f[c] = number == 0 ? term : f[c] + term;                               \
+        }                                                                          \
     }
     LOBES
 #undef LOBE
