@@ -9,14 +9,18 @@
 #include "commands/parameters.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/scene.hpp"
+#include "scene/table.hpp"
 
 namespace gonio {
 namespace {
 
+constexpr auto default_grid = "90x90x360";
+
 struct TableOptions {
     DeviceOptions device;
-    std::string model, grid = "90x90x360", kind, samples = "centre", spacing = "linear",
-                       quantity = "brdf", output;
+    std::string model, grid, kind, samples = "centre", spacing = "linear", quantity = "brdf",
+                                   output;
+    std::vector<std::string> axes;
     bool half = false, dry_run = false;
     std::string compression = "zip";
 };
@@ -39,7 +43,8 @@ std::vector<std::size_t> counts_of(const std::string& text)
 
 Grid grid_of(const TableOptions& options)
 {
-    const std::vector<std::size_t> n = counts_of(options.grid);
+    const std::vector<std::size_t> n =
+        counts_of(options.grid.empty() ? default_grid : options.grid);
     const std::string kind =
         options.kind.empty() ? (n.size() == 4 ? "anisotropic" : "isotropic") : options.kind;
     if (n.size() != (kind == "anisotropic" ? 4U : 3U))
@@ -76,10 +81,19 @@ void make(const TableOptions& options, const std::vector<std::string>& words)
     TableRequest request;
     request.name = path.stem().string();
     request.quantity = &find_quantity(options.quantity, Substance::surface);
-    if (!request.quantity->on_grid())
-        throw UsageError(fmt::format(
-            "the quantity `{}` has axes and no grid: ask for it in a scene", options.quantity));
-    request.grid = grid_of(options);
+    if (request.quantity->on_grid()) {
+        if (!options.axes.empty())
+            throw UsageError(fmt::format("the quantity `{}` is over a --grid and has no --axis",
+                                         options.quantity));
+        request.grid = grid_of(options);
+    } else {
+        if (!options.grid.empty())
+            throw UsageError(
+                fmt::format("the quantity `{}` has no --grid; write --axis for each of its axes, "
+                            "e.g. --axis 'mu = {{ to = 1, count = 64 }}'",
+                            options.quantity));
+        read_integral_axes(options.axes, scene.materials.front(), request);
+    }
     request.solver = request.quantity->solvers.front();
     request.storage = {format_of(path), {options.half, options.compression}};
     scene.tables.push_back(request);
@@ -100,14 +114,19 @@ void add_table(CLI::App& app)
     verb->add_option("MODEL", options->model,
                      "a model or an alias; its parameters follow as --name value")
         ->required();
-    verb->add_option("--grid", options->grid, "samples per axis, e.g. 90x90x360 or 32x64x32x64");
+    verb->add_option("--grid", options->grid,
+                     fmt::format("samples per axis, e.g. 32x64x32x64 (default: {})", default_grid));
     verb->add_option("--kind", options->kind, "kind of the grid (default: by the number of axes)")
         ->check(CLI::IsMember({"isotropic", "anisotropic", "rusinkiewicz"}));
     verb->add_option("--samples", options->samples, "samples in cells' centres or on nodes")
         ->check(CLI::IsMember({"centre", "node"}));
     verb->add_option("--spacing", options->spacing, "of theta_h on a Rusinkiewicz grid")
         ->check(CLI::IsMember({"linear", "merl"}));
-    verb->add_option("--quantity", options->quantity, "brdf, or brdf_cosine: times cos theta_i");
+    verb->add_option("--quantity", options->quantity,
+                     "brdf, brdf_cosine: times cos theta_i, or an integral such as dfg");
+    verb->add_option("--axis", options->axes,
+                     "of an integral, once for each: 'mu = { to = 1, count = 64 }' or a parameter")
+        ->allow_extra_args(false);
     verb->add_option("-o,--output", options->output,
                      "file: .exr, .npy, .csv or .binary (default: MODEL.exr)");
     verb->add_flag("--half", options->half, "EXR with 16-bit floats");

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks the axes of an integral over the hemisphere where they stand in the scene.
+// Reads the axes of an integral over the hemisphere.
 #include "plan/integral_axes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "gonio/model.hpp"
 #include "plan/header.hpp"
+#include "scene/document.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
@@ -55,12 +57,12 @@ std::vector<std::string> known_names(const Quantity& quantity, const std::vector
 
 }  // namespace
 
-void check_integral_axes(const Section& table, const SceneMaterial& material, TableRequest& request)
+void read_integral_axes(const Value& axes, const SceneMaterial& material, TableRequest& request)
 {
     const auto& lobes = std::get<std::vector<Lobe>>(material.made_of);
     const auto directions = direction_axes(*request.quantity);
-    const auto axes = table.find("axes");
-    const auto entries = axes ? Section(*axes).values() : std::vector<Value>();
+    request.axes = read_axes(axes);
+    const auto entries = Section(axes).values();
     for (std::size_t k = 0; k < entries.size(); ++k) {
         Axis& axis = request.axes[k];
         const auto named =
@@ -88,9 +90,17 @@ void check_integral_axes(const Section& table, const SceneMaterial& material, Ta
                    (needed.name == "mu" && axis.name.starts_with("theta"));
         };
         if (std::ranges::count_if(request.axes, is_direction) != 1)
-            axes->fail(fmt::format("the quantity `{}` needs one axis `{}`", request.quantity->id,
-                                   needed.name));
+            axes.fail(fmt::format("the quantity `{}` needs one axis `{}`", request.quantity->id,
+                                  needed.name));
     }
+}
+
+void read_integral_axes(const std::vector<std::string>& lines, const SceneMaterial& material,
+                        TableRequest& request)
+{
+    const toml::table document =
+        parse_document(fmt::format("{}", fmt::join(lines, "\n")), "--axis");
+    read_integral_axes(Value(document, "--axis", document.source().begin), material, request);
 }
 
 }  // namespace gonio

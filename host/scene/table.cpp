@@ -122,7 +122,8 @@ TableRequest read_request(const Section& table, std::size_t which,
     check_solver(table, request);
     if (of == Substance::layers) read_light_request(table, request);
     if (skin) read_skin_request(table, *skin, request);
-    if (surface && !request.quantity->on_grid()) check_integral_axes(table, material, request);
+    if (const auto axes = table.find("axes"); axes && surface)
+        read_integral_axes(*axes, material, request);
     if (request.storage.format == "merl" && !(request.grid && fits_merl(*request.grid)))
         table.at("grid").fail(
             "the format merl holds a rusinkiewicz grid of 90 x 90 x 180 with spacing = \"merl\" "

@@ -2,6 +2,7 @@
 // Tables that a scene asks for.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "scene/reader.hpp"
@@ -30,10 +31,13 @@ void read_skin_request(const Section& table, const Skin& skin, TableRequest& req
 /// Over what the light that spreads in skin is asked for, and with how many photons.
 void read_profile_request(const Section& table, TableRequest& request);
 
-/// Are these the axes of an integral over the hemisphere: the quantity's directions, and numbers of
-/// the material? Throws UsageError at the one that is not. Directions get their unit.
-void check_integral_axes(const Section& table, const SceneMaterial& material,
-                         TableRequest& request);
+/// Of an integral over the hemisphere: the quantity's directions, and numbers of the material.
+/// Throws UsageError at the one that is neither.
+void read_integral_axes(const Value& axes, const SceneMaterial& material, TableRequest& request);
+
+/// The same of lines as they would stand in `axes`: "mu = { to = 1, count = 64 }".
+void read_integral_axes(const std::vector<std::string>& lines, const SceneMaterial& material,
+                        TableRequest& request);
 
 /// The keys `format`, `precision` and `compression` of a section, where it has them.
 void read_storage(const Section& section, Storage& storage);

@@ -170,6 +170,18 @@ class Cli(unittest.TestCase):
         )
         self.assertEqual((self.at / "m.binary").stat().st_size, 12 + 3 * 8 * 90 * 90 * 180)
 
+    def test_table_of_an_integral(self):
+        mu, alpha = "mu = { to = 1, count = 3 }", "alpha = { values = [0.1, 0.2] }"
+        dfg = ("table", "ggx", "--quantity", "dfg")
+        self.gonio(*dfg, "--axis", mu, "--axis", alpha, "-o", "d.npy")
+        axes = json.loads(self.gonio("info", "d.npy", "--json"))["table"]["axes"]
+        self.assertEqual([axis["name"] for axis in axes], ["mu", "alpha"])
+        alpa = ("--axis", alpha.replace("ha", "a"))
+        self.assertIn("--axis:2:8: `alpa`", self.gonio(*dfg, "--axis", mu, *alpa, code=2))
+        self.assertIn("needs one axis `mu`", self.gonio(*dfg, code=2))
+        self.assertIn("no --grid", self.gonio(*dfg, "--grid", "4x4x4", code=2))
+        self.assertIn("no --axis", self.gonio("table", "ggx", "--axis", mu, code=2))
+
     def test_lookup(self):
         rows = "theta_i,phi_i,theta_o,phi_o\n30.5,400,30.5,220\n12,0,0.2,-77\n"
         model = ["ggx", "--alpha", "0.4"]
