@@ -44,6 +44,7 @@ int parse(int count, char** words)
     gonio::add_run(app);
     gonio::add_photon(app);
     gonio::add_skin(app);
+    gonio::add_picture(app);
     gonio::add_info(app);
     gonio::add_lookup(app);
     gonio::add_compress(app);

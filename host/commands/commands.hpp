@@ -32,5 +32,6 @@ void add_lookup(CLI::App& app);
 void add_verify(CLI::App& app);
 void add_photon(CLI::App& app);
 void add_skin(CLI::App& app);
+void add_picture(CLI::App& app);
 
 }  // namespace gonio

@@ -75,14 +75,6 @@ void draw_sphere(cairo_t* cairo, const Box& card, cairo_surface_t* sphere)
     cairo_restore(cairo);
 }
 
-glm::vec3 ambient_of(const Material& material)
-{
-    if (material.ambient.empty()) return glm::vec3(0);
-    std::vector<std::vector<float>> planes;
-    for (const double radiance : material.ambient) planes.push_back({static_cast<float>(radiance)});
-    return as_rgb(planes).front();
-}
-
 /// brdf: of the sphere's pairs, then of the lobe's.
 void draw_card(cairo_t* cairo, const Box& box, const ContactCard& card, const Sphere& sphere,
                std::span<const glm::vec3> brdf)
@@ -90,7 +82,7 @@ void draw_card(cairo_t* cairo, const Box& box, const ContactCard& card, const Sp
     draw_paper(cairo, box);
     draw_studio(cairo, box);
     const Surface image =
-        sphere.image(brdf.first(sphere.pairs().size()), ambient_of(card.material));
+        sphere.image(brdf.first(sphere.pairs().size()), rgb_of(card.material.ambient));
     draw_sphere(cairo, box, image.get());
     const double left = box.x + box.height + padding;
     const double width = box.width - box.height - 2 * padding;

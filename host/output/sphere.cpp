@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sphere of a contact sheet: normals, local directions, shading.
+// The sphere of a contact sheet: normals, shading.
 #include "output/sphere.hpp"
 
 #include <algorithm>
@@ -8,9 +8,8 @@
 #include <cstdint>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <numbers>
-#include <utility>
 
+#include "grid/local_pair.hpp"
 #include "output/tone.hpp"
 
 namespace gonio {
@@ -50,19 +49,6 @@ bool needs_subdivision(double x, double y, double pixel)
     });
 }
 
-struct Angles {
-    double theta, phi;  ///< degrees
-};
-
-/// Of a direction in the frame (x, y, normal).
-Angles angles_of(dvec3 direction, dvec3 x, dvec3 y, dvec3 normal)
-{
-    constexpr double degrees = 180 / std::numbers::pi;
-    const double along_x = glm::dot(direction, x), along_y = glm::dot(direction, y);
-    return {degrees * std::atan2(std::hypot(along_x, along_y), glm::dot(direction, normal)),
-            degrees * std::atan2(along_y, along_x)};
-}
-
 std::uint32_t argb(glm::vec3 colour, float alpha)
 {
     const auto byte = [](float value) { return static_cast<std::uint32_t>(255 * value + 0.5f); };
@@ -95,13 +81,10 @@ void Sphere::add_sample(std::size_t pixel, double x, double y, double part)
     if (z < 1e-3) return;
     coverage_[pixel] += static_cast<float>(part);
     const dvec3 normal(x, y, z);
-    const dvec3 east = glm::normalize(glm::cross(pole, normal)), north = glm::cross(normal, east);
-    const Angles out = angles_of(viewer, east, north, normal);
     for (const Light& light : lights()) {
         const double cosine = glm::dot(light.towards, normal);
         if (cosine < 1e-5) continue;
-        const Angles in = angles_of(light.towards, east, north, normal);
-        pairs_.push_back({in.theta, in.phi, out.theta, out.phi});
+        pairs_.push_back(local_pair(light.towards, viewer, normal, pole));
         shares_.push_back({pixel, static_cast<float>(part * light.irradiance * cosine)});
     }
 }

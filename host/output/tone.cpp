@@ -17,6 +17,14 @@ std::vector<glm::vec3> as_rgb(const std::vector<std::vector<float>>& values)
     return colours;
 }
 
+glm::vec3 rgb_of(const std::vector<double>& numbers)
+{
+    if (numbers.empty()) return glm::vec3(0);
+    std::vector<std::vector<float>> planes;
+    for (const double number : numbers) planes.push_back({static_cast<float>(number)});
+    return as_rgb(planes).front();
+}
+
 float greatest(glm::vec3 colour)
 {
     return std::max({colour.x, colour.y, colour.z});

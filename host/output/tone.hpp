@@ -12,6 +12,9 @@ namespace gonio {
 /// grey.
 std::vector<glm::vec3> as_rgb(const std::vector<std::vector<float>>& values);
 
+/// One number for each channel, or one for all, likewise; black if there are none.
+glm::vec3 rgb_of(const std::vector<double>& numbers);
+
 float greatest(glm::vec3 colour);
 
 /// What to multiply radiance with before it is shown, so that its bright parts come out bright and

@@ -92,6 +92,16 @@ std::string read_name(const Value& value)
     return name;
 }
 
+std::size_t find_material(const Value& value, const std::vector<SceneMaterial>& materials)
+{
+    const auto name = value.text();
+    const auto found = std::ranges::find(materials, name, &SceneMaterial::name);
+    if (found != materials.end()) return static_cast<std::size_t>(found - materials.begin());
+    std::vector<std::string_view> names;
+    for (const SceneMaterial& material : materials) names.push_back(material.name);
+    value.fail(fmt::format("there is no material `{}`{}", name, suggestion(name, names)));
+}
+
 SceneMaterial read_material(const Value& value)
 {
     const Section section(value);

@@ -9,6 +9,9 @@ namespace gonio {
 /// One [[material]].
 SceneMaterial read_material(const Value& value);
 
+/// The index of the material of that name.
+std::size_t find_material(const Value& value, const std::vector<SceneMaterial>& materials);
+
 /// Its layers and what lies around them.
 LayeredMedium read_layers(const Section& material, std::vector<Sweep>& sweeps);
 

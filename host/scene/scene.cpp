@@ -9,6 +9,7 @@
 
 #include "scene/document.hpp"
 #include "scene/material.hpp"
+#include "scene/picture.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
@@ -56,10 +57,12 @@ Storage read_output(const Section& root, std::filesystem::path& directory)
 void warn_of_unused(Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const bool used = std::ranges::any_of(
-            scene.tables, [m](const TableRequest& table) { return table.material == m; });
+        const bool used =
+            std::ranges::count(scene.tables, m, &TableRequest::material) > 0 ||
+            (scene.picture &&
+             std::ranges::count(scene.picture->meshes, m, &PictureMesh::material) > 0);
         if (!used)
-            scene.warnings.push_back(fmt::format("{}no table is asked of material `{}`",
+            scene.warnings.push_back(fmt::format("{}nothing is asked of material `{}`",
                                                  scene.materials[m].where,
                                                  scene.materials[m].name));
     }
@@ -71,7 +74,7 @@ Scene parse_scene(std::string_view text, std::string_view file)
 {
     const toml::table document = parse_document(text, file);
     const Section root(Value(document, "the scene", document.source().begin));
-    root.allow({"output", "material", "table"});
+    root.allow({"output", "material", "table", "picture"});
     Scene scene;
     const Storage storage = read_output(root, scene.directory);
     Names material_names("material"), table_names("table");
@@ -85,7 +88,11 @@ Scene parse_scene(std::string_view text, std::string_view file)
             scene.tables.push_back(std::move(request));
         }
     }
-    if (scene.tables.empty()) root.fail("the scene asks for no [[table]]");
+    if (const auto picture = root.find("picture"))
+        scene.picture = read_picture(*picture, scene.materials,
+                                     std::filesystem::path(file).parent_path());
+    if (scene.tables.empty() && !scene.picture)
+        root.fail("the scene asks for no [[table]] and no [picture]");
     warn_of_unused(scene);
     return scene;
 }

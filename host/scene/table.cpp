@@ -14,16 +14,6 @@
 namespace gonio {
 namespace {
 
-std::size_t find_material(const Value& value, const std::vector<SceneMaterial>& materials)
-{
-    const auto name = value.text();
-    const auto found = std::ranges::find(materials, name, &SceneMaterial::name);
-    if (found != materials.end()) return static_cast<std::size_t>(found - materials.begin());
-    std::vector<std::string_view> names;
-    for (const SceneMaterial& material : materials) names.push_back(material.name);
-    value.fail(fmt::format("there is no material `{}`{}", name, suggestion(name, names)));
-}
-
 /// "5 s", "2 min" or "1 h", or seconds as a number.
 double read_seconds(const Value& value)
 {

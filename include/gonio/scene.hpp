@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene: materials, and the tables asked of them. Everything in it is checked.
+// A scene: materials, the tables asked of them, and a picture. Everything in it is checked.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include "gonio/grid.hpp"
 #include "gonio/layers.hpp"
 #include "gonio/material.hpp"
+#include "gonio/picture.hpp"
 #include "gonio/quantity.hpp"
 #include "gonio/skin.hpp"
 #include "gonio/table.hpp"
@@ -74,7 +75,8 @@ struct Scene {
     std::filesystem::path directory = "tables";  ///< relative to where the program runs
     std::vector<SceneMaterial> materials;
     std::vector<TableRequest> tables;
-    std::vector<std::string> warnings;  ///< e.g. a material that no table names
+    std::optional<PictureRequest> picture;
+    std::vector<std::string> warnings;  ///< e.g. a material that nothing names
 };
 
 /// Reads and checks a scene. Throws UsageError that begins with file:line:column and says what is

@@ -54,8 +54,8 @@ TEST(BadScene, CannotBeRead)
 
 TEST(BadScene, AsksForNothing)
 {
-    EXPECT_EQ(refusal("@"), "the scene asks for no [[table]]");
-    EXPECT_EQ(refusal("@[output]\n"), "the scene asks for no [[table]]");
+    EXPECT_EQ(refusal("@"), "the scene asks for no [[table]] and no [picture]");
+    EXPECT_EQ(refusal("@[output]\n"), "the scene asks for no [[table]] and no [picture]");
 }
 
 TEST(BadScene, HasAnUnknownKey)

@@ -95,7 +95,7 @@ spacing = "merl"
     EXPECT_EQ(table.grid->axes[0].values, (std::vector{0.0, 90.0}));
     EXPECT_EQ(table.grid->axes[2].values.size(), 4U);
     EXPECT_THAT(scene.warnings,
-                testing::ElementsAre("scene.toml:13:1: no table is asked of material `brushed`"));
+                testing::ElementsAre("scene.toml:13:1: nothing is asked of material `brushed`"));
 }
 
 // Phong, CACM 18(6), 1975: ambient, diffuse and specular components.

@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""picture_test.py GONIO: what a user sees of `gonio picture`."""
+
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
+SCENE = """
+[[material]]
+name = "grey"
+model = "lambert"
+
+[picture]
+width = 32
+height = 16
+camera = {{ from = [0, 0, 3], to = [0, 0, 0] }}
+mesh = [{{ file = "{mesh}", material = "{material}" }}]
+light = [{{ kind = "{kind}", towards = [0, 0, 1], irradiance = 1 }}]
+"""
+
+
+class Picture(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.at = pathlib.Path(self.folder.name)
+        (self.at / "a.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n")
+
+    def gonio(self, *words, code=0):
+        done = subprocess.run([GONIO, "picture", *words], cwd=self.at, text=True,
+                              capture_output=True)
+        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
+        return done.stderr if code else done.stdout
+
+    def scene(self, mesh="a.obj", material="grey", kind="directional"):
+        text = SCENE.format(mesh=mesh, material=material, kind=kind)
+        (self.at / "scene.toml").write_text(text)
+        return "scene.toml"
+
+    def test_both_formats_and_the_same_bytes_again(self):
+        self.assertEqual(self.gonio(self.scene(), "-o", "a.png", "-o", "a.exr"), "a.png\na.exr\n")
+        first = [(self.at / name).read_bytes() for name in ("a.png", "a.exr")]
+        self.gonio("scene.toml", "-o", "a.png", "-o", "a.exr", "--width", "1")
+        self.assertEqual([(self.at / name).read_bytes() for name in ("a.png", "a.exr")], first)
+
+    def test_the_size_keeps_the_shape_and_the_scene_gives_the_name(self):
+        self.assertEqual(self.gonio(self.scene(), "--size", "40"), "scene.png\n")
+        header = (self.at / "scene.png").read_bytes()[16:24]
+        self.assertEqual(struct.unpack(">II", header), (80, 40))
+
+    def test_mistakes_are_told_with_their_place_and_leave_no_file(self):
+        for message, scene in (
+                ("scene.toml:10:18: b.obj: cannot be read", {"mesh": "b.obj"}),
+                ("scene.toml:10:38: there is no material `gray`; did you mean `grey`",
+                 {"material": "gray"}),
+                ("scene.toml:11:19: `kind` cannot be \"directinal\"; did you mean `directional`",
+                 {"kind": "directinal"}),
+                ("scene.toml:11:30: unknown key `towards`", {"kind": "uniform"})):
+            self.assertIn(message, self.gonio(self.scene(**scene), "-o", "a.png", code=2))
+        (self.at / "a.obj").write_text("v 1 2 three\n")
+        self.assertIn("a.obj:1: `v` needs three", self.gonio(self.scene(), "-o", "a.png", code=2))
+        self.assertIn(".exr and .png", self.gonio(self.scene(), "-o", "a.jpg", code=2))
+        self.assertEqual(list(self.at.glob("a.[pe]*")), [])
+
+    def test_a_scene_without_a_picture(self):
+        (self.at / "none.toml").write_text("[[material]]\nname = 'a'\nmodel = 'lambert'\n"
+                                           "[[table]]\nquantity = 'mean_albedo'\n")
+        self.assertIn("has no [picture]", self.gonio("none.toml", code=2))
+
+
+if __name__ == "__main__":
+    unittest.main()
