@@ -39,7 +39,7 @@ std::vector<HardMedium> hard_media()
         {"albedo 1 - 1e-7", {.layers = {layer(1e-5, 100, 0.8, 1.4, 0.2)}}},
         {"optical depths 1e-6 over 1e6",
          {.layers = {layer(0.5, 0.5, 0.5, 1, 1e-6), layer(1e5, 9e5, 0.5, 1, 1)}}},
-        {"n = 1 | 1.5 | 1 | 2.5 | 1",
+        {"n = 1, 1.5, 1, 2.5, 1",
          {.layers = {layer(1, 20, 0.5, 1.5, 0.05), layer(0, 0, 0, 1, 0.05),
                      layer(1, 20, 0.5, 2.5, 0.05)}}},
         {"light at 89.99 degrees", {.layers = {layer(1, 100, 0.8, 1.4, 0.1)}}, 89.99},
