@@ -13,30 +13,54 @@ namespace {
 
 struct PictureOptions {
     DeviceOptions device;
-    std::string scene;
-    std::vector<std::string> files;
+    std::vector<std::string> scenes, files;
+    std::string sheet;
     std::size_t size = 0;
 };
 
+/// Of the scene, at the size that is asked for.
+PictureRequest request_of(const Scene& scene, const std::string& name, std::size_t size)
+{
+    for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
+    if (!scene.picture) throw UsageError(fmt::format("{}: the scene has no [picture]", name));
+    PictureRequest picture = *scene.picture;
+    if (size > 0) {
+        const std::size_t height = picture.height;
+        picture.width = std::max<std::size_t>(1, (size * picture.width + height / 2) / height);
+        picture.height = size;
+    }
+    return picture;
+}
+
+/// Of one of the scenes.
+std::vector<std::filesystem::path> files_of(const PictureOptions& options, const std::string& scene)
+{
+    std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
+    if (files.empty() && options.sheet.empty())
+        files.push_back(std::filesystem::path(scene).stem().concat(".png"));
+    return files;
+}
+
 void make(const PictureOptions& options)
 {
-    Scene scene = load_scene(options.scene);
-    for (const std::string& warning : scene.warnings) fmt::print(stderr, "{}\n", warning);
-    if (!scene.picture)
-        throw UsageError(fmt::format("{}: the scene has no [picture]", options.scene));
-    if (options.size > 0) {
-        std::size_t &width = scene.picture->width, &height = scene.picture->height;
-        width = std::max<std::size_t>(1, (options.size * width + height / 2) / height);
-        height = options.size;
+    if (!options.files.empty() && options.scenes.size() > 1)
+        throw UsageError("-o is for one scene; allowed for several is --sheet");
+    for (const std::string& file : options.files) check_picture_name(file);
+    std::vector<PictureCard> cards;
+    const Device device = options.device.open();
+    for (const std::string& name : options.scenes) {
+        const Scene scene = load_scene(name);
+        const PictureRequest request = request_of(scene, name, options.size);
+        const Table picture = make_picture(device, request, scene.materials);
+        for (const auto& file : files_of(options, name)) {
+            write_picture(file, picture, request.exposure);
+            fmt::print("{}\n", file.string());
+        }
+        if (!options.sheet.empty()) cards.push_back({picture, request.exposure, request.title});
     }
-    std::vector<std::filesystem::path> files(options.files.begin(), options.files.end());
-    if (files.empty()) files = {std::filesystem::path(options.scene).stem().concat(".png")};
-    for (const auto& file : files) check_picture_name(file);
-    const Table picture = make_picture(options.device.open(), *scene.picture, scene.materials);
-    for (const auto& file : files) {
-        write_picture(file, picture, scene.picture->exposure);
-        fmt::print("{}\n", file.string());
-    }
+    if (options.sheet.empty()) return;
+    write_picture_sheet(options.sheet, cards);
+    fmt::print("{}\n", options.sheet);
 }
 
 }  // namespace
@@ -46,11 +70,14 @@ void add_picture(CLI::App& app)
     CLI::App* verb =
         app.add_subcommand("picture", "Make the picture of a scene: meshes, lights and a camera");
     const auto options = std::make_shared<PictureOptions>();
-    verb->add_option("SCENE", options->scene, "scene file (TOML) with a [picture]")->required();
+    verb->add_option("SCENE", options->scenes, "scene file (TOML) with a [picture]; or several")
+        ->required();
     verb->add_option("-o,--output", options->files,
                      "file: .exr (linear radiance) or .png (sRGB; the scene's exposure); again for "
                      "more (default: SCENE.png)")
         ->allow_extra_args(false);
+    verb->add_option("--sheet", options->sheet,
+                     "PNG with the pictures of all scenes side by side, titles below");
     verb->add_option("--size", options->size,
                      "height in pixels, in place of the scene's; the width follows")
         ->check(CLI::Range(1, 16384));

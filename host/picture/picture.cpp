@@ -10,6 +10,7 @@
 
 #include "gonio/errors.hpp"
 #include "gonio/scene.hpp"
+#include "picture/skin_layers.hpp"
 #include "picture/surface.hpp"
 #include "scene/located.hpp"
 #include "version.hpp"
@@ -32,15 +33,18 @@ std::vector<Mesh> read_meshes(const PictureRequest& picture)
     return meshes;
 }
 
+/// What of a material reflects at once.
 Material surface_of(const SceneMaterial& material)
 {
     const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of);
-    if (!lobes || !material.sweeps.empty())
+    const auto* skin = std::get_if<Skin>(&material.made_of);
+    if ((!lobes && !skin) || !material.sweeps.empty())
         throw UsageError(
-            fmt::format("{}material `{}` cannot be in a picture, which takes models "
-                        "and sums of lobes without sweeps",
+            fmt::format("{}material `{}` cannot be in a picture, which takes models, "
+                        "sums of lobes and skin, without sweeps",
                         material.where, material.name));
-    return {material.name, *lobes, material.ambient};
+    if (lobes) return {material.name, *lobes, material.ambient};
+    return {material.name, {material.surface ? *material.surface : skin_surface(*skin)}, {}};
 }
 
 TableHeader header_of(const PictureRequest& picture)
@@ -83,10 +87,14 @@ Table make_picture(const Device& device, const PictureRequest& picture,
     const Geometry geometry(read_meshes(picture));
     const Rays rays(picture);
     std::map<std::size_t, Surface> surfaces;
+    std::map<std::size_t, SkinLayers> layers;
     for (const PictureMesh& mesh : picture.meshes) {
         const std::size_t which = mesh.material;
-        if (!surfaces.contains(which))
-            surfaces.try_emplace(which, device, picture, surface_of(materials[which]));
+        if (surfaces.contains(which)) continue;
+        const Material surface = surface_of(materials[which]);
+        surfaces.try_emplace(which, device, picture, surface);
+        if (const auto* skin = std::get_if<Skin>(&materials[which].made_of))
+            layers.try_emplace(which, device, picture, *skin, surface);
     }
 
     const std::size_t each = picture.samples * picture.samples;
@@ -100,8 +108,10 @@ Table make_picture(const Device& device, const PictureRequest& picture,
             for (std::size_t k = 0; k < group.size(); ++k)
                 image[group[k].pixel] +=
                     (radiance[k] - picture.background) / static_cast<double>(each);
+            if (layers.contains(which)) layers.at(which).enter(geometry, group);
         }
     }
+    for (const auto& [which, skin] : layers) skin.leave(image);
     Table table{header_of(picture), std::vector<std::vector<double>>(3)};
     for (const dvec3& pixel : image)
         for (int c = 0; c < 3; ++c) table.values[static_cast<std::size_t>(c)].push_back(pixel[c]);

@@ -41,6 +41,18 @@ std::vector<Lobe> read_components(const Section& material, std::vector<Sweep>& s
     return lobes;
 }
 
+/// Of skin: one lobe.
+Lobe read_surface(const Value& value)
+{
+    const Section section(value);
+    section.allow({"model", "weight", "parameters"});
+    std::vector<Sweep> sweeps;
+    Lobe lobe = read_lobe(section, 0, sweeps);
+    if (!sweeps.empty())
+        throw UsageError(sweeps.front().where + "the surface of skin has no sweeps");
+    return lobe;
+}
+
 /// One number or one per channel of the material.
 std::vector<double> read_ambient(const Value& value, std::size_t channels)
 {
@@ -60,8 +72,8 @@ std::vector<double> read_ambient(const Value& value, std::size_t channels)
 std::string_view kind_of(const Section& section)
 {
     section.allow({"name", "model", "weight", "parameters", "lobes", "diffuse", "specular",
-                   "ambient", "layers", "n_above", "n_below", "bottom", "bottom_albedo", "skin",
-                   "wavelength"});
+                   "ambient", "surface", "layers", "n_above", "n_below", "bottom", "bottom_albedo",
+                   "skin", "wavelength"});
     std::vector<std::string_view> kinds;
     for (const auto kind : {"model", "lobes", "diffuse", "specular", "layers", "skin"})
         if (section.find(kind)) kinds.emplace_back(kind);
@@ -122,11 +134,12 @@ SceneMaterial read_material(const Value& value)
         section.allow({"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo"});
         material.made_of = read_layers(section, material.sweeps);
     } else {
-        section.allow({"name", "skin", "parameters", "wavelength"});
+        section.allow({"name", "skin", "parameters", "wavelength", "surface"});
         if (section.find("wavelength"))
             material.made_of = read_skin_layers(section);
         else
             material.made_of = read_skin(section, material.sweeps);
+        if (const auto surface = section.find("surface")) material.surface = read_surface(*surface);
     }
     if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of)) {
         const auto channels = located(material.where, [&] {

@@ -95,10 +95,11 @@ PictureRequest read_picture(const Value& value, const std::vector<SceneMaterial>
                             const std::filesystem::path& folder)
 {
     const Section section(value);
-    section.allow(
-        {"width", "height", "samples", "background", "exposure", "camera", "mesh", "light"});
+    section.allow({"title", "width", "height", "samples", "background", "exposure",
+                   "metres_per_unit", "photons", "camera", "mesh", "light"});
     PictureRequest picture;
     picture.where = section.where();
+    if (const auto title = section.find("title")) picture.title = title->text();
     if (const auto width = section.find("width")) picture.width = width->count(1, most_pixels);
     if (const auto height = section.find("height")) picture.height = height->count(1, most_pixels);
     if (const auto samples = section.find("samples"))
@@ -107,6 +108,10 @@ PictureRequest read_picture(const Value& value, const std::vector<SceneMaterial>
         picture.background = read_colour(*background);
     if (const auto exposure = section.find("exposure"))
         picture.exposure = exposure->number(0, greatest);
+    if (const auto metres = section.find("metres_per_unit"))
+        picture.metres_per_unit = metres->number(1e-9, 1e9);
+    if (const auto photons = section.find("photons"))
+        picture.photons = photons->count(1000, 1'000'000'000);
     picture.camera = read_camera(section.at("camera"));
     for (const Value& mesh : section.at("mesh").list())
         picture.meshes.push_back(read_mesh_request(mesh, materials, folder));

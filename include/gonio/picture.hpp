@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -52,10 +53,13 @@ struct UniformLight {
 using PictureLight = std::variant<DirectionalLight, PointLight, UniformLight>;
 
 struct PictureRequest {
+    std::string title;  ///< its caption beside others
     std::size_t width = 512, height = 512;
     std::size_t samples = 2;  ///< along each side of a pixel
     glm::dvec3 background{0};
-    std::optional<double> exposure;  ///< of .png; set by the picture's bright parts if not given
+    double metres_per_unit = 1;       ///< of all lengths: light spreads in skin by millimetres
+    std::uint64_t photons = 100'000;  ///< at each wavelength, for how far it spreads
+    std::optional<double> exposure;   ///< of .png; set by the picture's bright parts if not given
     Camera camera;
     std::vector<PictureMesh> meshes;
     std::vector<PictureLight> lights;
@@ -69,10 +73,25 @@ struct PictureRequest {
 /// over the triangles at a vertex weighted by area; near where such a normal turns from the light,
 /// shadow rays start above the flat triangle, on the surface that the normals tell of (Hanika, Ray
 /// Tracing Gems II, 2021, ch. 4), and a normal that turns from the viewer is bent back. The same
-/// bytes at every vector width and number of threads. Throws UsageError for a mesh that cannot be
-/// read, with file and line, and for a material that is no surface.
+/// bytes at every vector width and number of threads.
+///
+/// Skin reflects by its `surface`, and what enters its layers leaves them as
+/// rho(mu_i) rho(mu_o)/(pi mean) tells (picture/skin_reflectance.hpp), spread over the surface that
+/// the picture shows by six Gaussians fitted to photons of a beam along the normal. Throws
+/// UsageError for a mesh that cannot be read, with file and line, and for a material that is
+/// neither a surface nor skin.
 Table make_picture(const Device& device, const PictureRequest& picture,
                    const std::vector<SceneMaterial>& materials);
+
+/// A picture with what is said below it.
+struct PictureCard {
+    Table picture;
+    std::optional<double> exposure;
+    std::string caption;
+};
+
+/// Writes pictures side by side as PNG. Throws RunError.
+void write_picture_sheet(const std::filesystem::path& path, const std::vector<PictureCard>& cards);
 
 /// Throws UsageError unless the name ends in .exr or .png.
 void check_picture_name(const std::filesystem::path& path);

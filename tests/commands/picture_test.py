@@ -67,6 +67,14 @@ class Picture(unittest.TestCase):
         self.assertIn(".exr and .png", self.gonio(self.scene(), "-o", "a.jpg", code=2))
         self.assertEqual(list(self.at.glob("a.[pe]*")), [])
 
+    def test_a_sheet_holds_several_scenes(self):
+        self.scene()
+        self.assertEqual(self.gonio("scene.toml", "scene.toml", "--sheet", "two.png"), "two.png\n")
+        width, height = struct.unpack(">II", (self.at / "two.png").read_bytes()[16:24])
+        self.assertGreater(width, 2 * 32)
+        self.assertGreater(height, 16)
+        self.assertIn("--sheet", self.gonio("scene.toml", "scene.toml", "-o", "a.png", code=2))
+
     def test_a_scene_without_a_picture(self):
         (self.at / "none.toml").write_text("[[material]]\nname = 'a'\nmodel = 'lambert'\n"
                                            "[[table]]\nquantity = 'mean_albedo'\n")

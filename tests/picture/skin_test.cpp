@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Skin in pictures: what its layers return by angle, and its energy.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compute/shared_device.hpp"
+#include "gonio/albedo.hpp"
+#include "gonio/colour.hpp"
+#include "picture/mesh_fixtures.hpp"
+#include "picture/skin_reflectance.hpp"
+#include "reference/adding_doubling.hpp"
+#include "reference/layered_brdf.hpp"
+
+namespace gonio {
+namespace {
+
+using glm::dvec3;
+
+class SkinInPictures : public test::SharedDevice {
+protected:
+    static Skin skin() { return Skin(find_skin_model("jacques_1998")); }
+    static Material surface() { return {"surface", {skin_surface(skin())}, {}}; }
+
+    static double surface_albedo(double cosine)
+    {
+        return integrate_albedos(*device(), {surface()}, {{0, {cosine, 0}}}).value[0][0];
+    }
+};
+
+TEST_F(SkinInPictures, LayersReturnWhatSpectraSayOfTheLightThatTheSurfaceLeaves)
+{
+    const SkinReflectance reflectance(*device(), skin(), surface());
+    std::vector<double> wavelengths;
+    for (int at = 380; at <= 780; at += 10) wavelengths.push_back(at);
+    for (const double theta : {0.7, 1.3}) {
+        const LightSource light{.beam = Beam::pencil, .incidence = theta};
+        const SkinSpectrum spectrum = solve_skin({skin()}, wavelengths, light, 1e-3).front();
+        std::vector<double> layers;
+        for (std::size_t k = 0; k < spectrum.wavelengths.size(); ++k)
+            layers.push_back((spectrum.reflectance[k] - spectrum.specular[k]) /
+                             (1 - spectrum.specular[k]));
+        const double cosine = std::cos(theta);
+        const dvec3 expected =
+            (1 - surface_albedo(cosine)) * linear_srgb(tristimulus(spectrum.wavelengths, layers));
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(reflectance.at(cosine)[c], expected[c], 4e-3) << theta;
+    }
+}
+
+// The layers' own BRDF at 600 nm, solved, against the shape that pictures take for it.
+TEST_F(SkinInPictures, TheSeparableShapeIsNearTheLayersOwn)
+{
+    const LayeredMedium medium = skin().layers_at(600);
+    const std::vector<double> theta{0.0, M_PI / 6, M_PI / 3}, azimuth{0, M_PI / 2, M_PI};
+    const auto brdf = reference::layered_brdf_to(medium, theta, theta, azimuth, 1e-3);
+    const auto solution = reference::solve_layers_to(medium, {.incidence = theta}, 1e-4);
+    const auto rho = [&](std::size_t k) {
+        return solution.collimated[k].budget.diffuse_reflectance;
+    };
+    double worst = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t o = 0; o < 3; ++o)
+            for (std::size_t a = 0; a < 3; ++a) {
+                const double separable =
+                    rho(i) * rho(o) / (M_PI * solution.diffuse.budget.diffuse_reflectance);
+                const double off = separable / brdf.values[(i * 3 + o) * 3 + a] - 1;
+                worst = std::max(worst, std::abs(off));
+            }
+    EXPECT_LT(worst, 0.08);
+}
+
+// All light that comes back from the surface and from the layers, whatever spreads in between.
+TEST_F(SkinInPictures, UniformLightComesBackByTheAlbedosOfSurfaceAndLayers)
+{
+    const test::MeshFolder folder;
+    folder.add("plane.obj", "v -9 -9 0\nv 9 -9 0\nv 9 9 0\nv -9 9 0\nf 1 2 3 4\n");
+    const Table table = folder.picture(*device(), R"(
+[[material]]
+name = "skin"
+skin = "jacques_1998"
+[picture]
+width = 9
+height = 7
+samples = 1
+photons = 1000
+camera = { from = [0, -3, 4], to = [0, 0, 0], field_of_view = 4 }
+mesh = [{ file = "plane.obj", material = "skin" }]
+light = [{ kind = "uniform", radiance = 2 }]
+)");
+    const SkinReflectance reflectance(*device(), skin(), surface());
+    const dvec3 expected = 2.0 * (dvec3(surface_albedo(0.8)) + reflectance.at(0.8));
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(test::pixel_of(table, 4, 3)[c], expected[c], 2e-3 * expected[c]);
+}
+
+}  // namespace
+}  // namespace gonio

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Light that spreads in a picture against integrals with known answers.
+#include "picture/spread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "compute/shared_device.hpp"
+
+namespace gonio {
+namespace {
+
+using glm::dvec3;
+
+class Spread : public test::SharedDevice {};
+
+/// d'Eon & Luebke, GPU Gems 3, chapter 14, 2007: table 14-1.
+const SumOfGaussians gpu_gems{{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41},
+                              {{0.233, 0.455, 0.649},
+                               {0.100, 0.336, 0.344},
+                               {0.118, 0.198, 0},
+                               {0.113, 0.007, 0.007},
+                               {0.358, 0.004, 0},
+                               {0.078, 0, 0}}};
+
+/// A plane seen face to face, whose pixels are `side` mm wide.
+EnteringLight plane(std::size_t width, std::size_t height, double side)
+{
+    EnteringLight seen{width,
+                       height,
+                       {},
+                       std::vector<dvec3>(width * height),
+                       std::vector<double>(width * height, side * side)};
+    for (std::size_t k = 0; k < width * height; ++k)
+        seen.place.emplace_back(side * static_cast<double>(k % width),
+                                side * static_cast<double>(k / width), 0);
+    return seen;
+}
+
+/// What a half-plane of light leaves at `x` from its edge: each ring's part on the lit side.
+double behind_an_edge(const RadialProfile& profile, std::size_t channel, double x)
+{
+    double lit = x > 0 ? profile.total[channel].mean : 0;  // what lies beyond the rings is little
+    for (std::size_t k = 0; k < profile.rings[channel].size(); ++k) {
+        const double r = 10 * profile.width * (static_cast<double>(k) + 0.5);  // mm
+        if (r > std::abs(x))
+            lit += profile.rings[channel][k].mean * std::acos(std::abs(x) / r) / M_PI *
+                   (x > 0 ? -1 : 1);
+    }
+    return lit / profile.total[channel].mean;
+}
+
+// Gaussians are 2 to 4 % off the photons in d'Eon & Luebke's measure, 20,000 photons have noise of
+// their own, and the picture's pixels are 0.2 mm wide.
+TEST_F(Spread, BehindAnEdgeOfLightItIsThatOfThePhotons)
+{
+    const Skin skin(find_skin_model("jacques_1998"));
+    const RadialProfile profile = trace_profile(*device(), skin, {.photons = 20'000});
+    EnteringLight seen = plane(160, 120, 0.2);
+    for (std::size_t k = 0; k < seen.light.size(); ++k)
+        seen.light[k] = dvec3(k % 160 >= 80 ? 1 : 0);
+    const auto light = spread_light(*device(), seen, fit_gaussians(profile).function);
+    double worst = 0;
+    for (std::size_t x = 40; x < 120; ++x)
+        for (int c = 0; c < 3; ++c) {
+            const double expected = behind_an_edge(profile, static_cast<std::size_t>(c),
+                                                   0.2 * (static_cast<double>(x) - 79.5));
+            worst = std::max(worst, std::abs(light[60 * 160 + x][c] - expected));
+        }
+    EXPECT_LT(worst, 0.015);
+}
+
+TEST_F(Spread, OnASphereItIsTheIntegralOverIt)
+{
+    constexpr std::size_t size = 240;
+    constexpr double radius = 10, side = 2 * radius / size;
+    EnteringLight seen = plane(size, size, side);
+    const dvec3 towards(0.8, 0, 0.6);
+    for (std::size_t k = 0; k < seen.area.size(); ++k) {
+        const double x = seen.place[k].x + side / 2 - radius,
+                     y = seen.place[k].y + side / 2 - radius;
+        const double cosine = std::sqrt(std::max(0.0, 1 - (x * x + y * y) / (radius * radius)));
+        seen.area[k] = cosine > 0.05 ? side * side / cosine : 0;
+        seen.place[k] = {x, y, radius * cosine};
+        seen.light[k] =
+            dvec3(std::max(0.0, (towards.x * x + towards.z * radius * cosine) / radius));
+    }
+    const auto light = spread_light(*device(), seen, gpu_gems);
+    double worst = 0;
+    for (std::size_t x = 40; x < 200; x += 8) {
+        const std::size_t k = size / 2 * size + x;
+        const double cosine = (towards.x * seen.place[k].x + towards.z * seen.place[k].z) / radius;
+        const auto expected = around_a_sphere(gpu_gems, cosine, 1 / radius);
+        for (int c = 0; c < 3; ++c)
+            worst = std::max(worst, std::abs(light[k][c] - expected[static_cast<std::size_t>(c)]));
+    }
+    EXPECT_LT(worst, 0.001);
+}
+
+/// Rough, with holes.
+EnteringLight rough(std::size_t width, std::size_t height)
+{
+    EnteringLight seen = plane(width, height, 0.1);
+    std::mt19937 random(7);
+    const auto number = [&] { return static_cast<double>(random()) / 0x1p32; };
+    for (std::size_t k = 0; k < seen.area.size(); ++k) {
+        seen.area[k] *= number() < 0.2 ? 0 : 1 + number();
+        seen.place[k].z = number();
+        seen.light[k] = {number(), number(), number()};
+    }
+    return seen;
+}
+
+TEST_F(Spread, EvenLightStaysAsItIs)
+{
+    EnteringLight seen = rough(61, 47);
+    for (dvec3& light : seen.light) light = {0.5, 1, 2};
+    const auto light = spread_light(*device(), seen, gpu_gems);
+    for (std::size_t k = 0; k < light.size(); ++k)
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(light[k][c], seen.area[k] > 0 ? 0.5 * (1 << c) : 0, 1e-5);
+}
+
+TEST_F(Spread, BitsDoNotDependOnTheVectorWidth)
+{
+    const EnteringLight seen = rough(61, 47), narrow = rough(5, 9);
+    for (const unsigned width : {1U, 16U}) {
+        const Device other("", width);
+        EXPECT_EQ(spread_light(other, seen, gpu_gems), spread_light(*device(), seen, gpu_gems))
+            << width;
+        EXPECT_EQ(spread_light(other, narrow, gpu_gems), spread_light(*device(), narrow, gpu_gems));
+    }
+}
+
+TEST_F(Spread, NothingIsWhereNoSurfaceIs)
+{
+    EnteringLight seen = rough(20, 20);
+    seen.area.assign(400, 0);
+    for (const dvec3 light : spread_light(*device(), seen, gpu_gems)) EXPECT_EQ(light, dvec3(0));
+}
+
+}  // namespace
+}  // namespace gonio
