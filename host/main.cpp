@@ -42,6 +42,7 @@ int parse(int count, char** words)
     gonio::add_sample(app);
     gonio::add_table(app);
     gonio::add_run(app);
+    gonio::add_plan(app);
     gonio::add_photon(app);
     gonio::add_skin(app);
     gonio::add_picture(app);

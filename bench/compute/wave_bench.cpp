@@ -69,7 +69,7 @@ void wave(benchmark::State& state, const std::string& model)
     double own = INFINITY, scalar = INFINITY;
     for (auto _ : state) {
         own = std::min(own, compute_grid(device, material, Measure::brdf, grid,
-                                         [](const Rows<float>&) {}, {.symmetry = false})
+                                         [](const Rows<float>&) {}, {.leave_out = false})
                                 .kernel_seconds);
         const auto start = std::chrono::steady_clock::now();
         for (const auto& [l, v] : pairs) benchmark::DoNotOptimize(reference(l, v, 0));

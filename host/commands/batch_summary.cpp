@@ -80,14 +80,14 @@ std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device,
 
 }  // namespace
 
-void run_jobs(const Device& device, const std::vector<Job>& jobs)
+void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out)
 {
     catch_interrupts();
     fmt::print("on {} ({}, driver {}, width {})\n", device.info().name, device.info().platform_name,
                device.info().driver, device.width());
     std::vector<std::pair<Job, MadeTable>> made;
     std::string of_layers;
-    const BatchReport report = run_batch(jobs, [&](const Job& job, Progress& progress) {
+    const auto make = [&](const Job& job, Progress& progress) {
         if (job.profile) {
             Advance advance(progress, job);
             auto run = make_profile_table(device, job, [&](double part) { advance(part); });
@@ -110,12 +110,14 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs)
             return run;
         }
         const double channels = static_cast<double>(job.header.channels.size());
-        made.emplace_back(job, make_table(device, job, [&](std::size_t cells) {
-                              progress.advance(channels * static_cast<double>(cells));
-                              throw_if_interrupted();
-                          }));
+        const auto after_rows = [&](std::size_t cells) {
+            progress.advance(channels * static_cast<double>(cells));
+            throw_if_interrupted();
+        };
+        made.emplace_back(job, make_table(device, job, after_rows, {.leave_out = leave_out}));
         return run_information(device, made.back().second);
-    });
+    };
+    const BatchReport report = run_batch(jobs, make, leave_out ? Keep::finished : Keep::nothing);
     std::size_t width = 0;
     for (const auto& [job, table] : made) width = std::max(width, models_text(job).size());
     if (!made.empty())

@@ -10,8 +10,8 @@
 namespace gonio {
 
 /// Makes what is not finished and prints a line for each table. Throws as run_batch and make_table
-/// do.
-void run_jobs(const Device& device, const std::vector<Job>& jobs);
+/// do. leave_out: false to make all tables, all the general way.
+void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out = true);
 
 /// What --dry-run prints: size, memory and time of each job on this device.
 void print_estimate(const Device& device, const std::vector<Job>& jobs);

@@ -26,6 +26,7 @@ void add_eval(CLI::App& app);
 void add_sample(CLI::App& app);
 void add_table(CLI::App& app);
 void add_run(CLI::App& app);
+void add_plan(CLI::App& app);
 void add_compress(CLI::App& app);
 void add_info(CLI::App& app);
 void add_lookup(CLI::App& app);

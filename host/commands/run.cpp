@@ -13,7 +13,7 @@ namespace {
 struct RunOptions {
     DeviceOptions device;
     std::string scene, output, sheet;
-    bool dry_run = false, best_effort = false;
+    bool dry_run = false, best_effort = false, no_plan = false;
 };
 
 void run(const RunOptions& options)
@@ -25,7 +25,7 @@ void run(const RunOptions& options)
     if (options.dry_run) return print_estimate(device, jobs);
     if (options.best_effort)
         for (Job& job : jobs) job.must_reach = false;
-    run_jobs(device, jobs);
+    run_jobs(device, jobs, !options.no_plan);
     if (options.sheet.empty()) return;
     std::vector<ContactCard> cards;
     for (const SceneMaterial& material : scene.materials)
@@ -50,6 +50,10 @@ void add_run(CLI::App& app)
     verb->add_flag("--dry-run", options->dry_run, "Only say size, memory and time");
     verb->add_flag("--best-effort", options->best_effort,
                    "Keep tables that did not reach their max_error");
+    verb->add_flag(
+        "--no-plan", options->no_plan,
+        "Make all tables the general way: nothing that `gonio plan` names is left out of "
+        "BRDFs, and finished tables are made again");
     options->device.add_to(*verb);
     verb->callback([options] { run(*options); });
 }

@@ -26,7 +26,8 @@ void require_accuracy(const Device& device, const Job& job, const Accuracy& accu
 }  // namespace
 
 MadeTable make_table(const Device& device, const Job& job,
-                     const std::function<void(std::size_t)>& after_rows)
+                     const std::function<void(std::size_t)>& after_rows,
+                     const ComputeOptions& options)
 {
     if (!job.cells.empty()) return make_integrals(device, job, after_rows);
     MadeTable made;
@@ -37,12 +38,13 @@ MadeTable make_table(const Device& device, const Job& job,
     for (std::size_t point = 0; point < job.materials.size(); ++point) {
         const Material& material = job.materials[point];
         AccuracyCheck check(job.grid, channels);
-        made.report = compute_grid(device, material, job.measure, job.grid, [&](Rows<float> rows) {
+        const auto write = [&](Rows<float> rows) {
             check.see(rows);
             rows.first += point * rows_per_point;
             writer->write(rows);
             after_rows(rows.count * job.header.row_length());
-        });
+        };
+        made.report = compute_grid(device, material, job.measure, job.grid, write, options);
         made.kernel_seconds += made.report.kernel_seconds;
         made.accuracy.merge(
             check.finish(make_reference(material, job.measure), direction_rounding(material)));

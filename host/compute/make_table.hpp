@@ -33,7 +33,8 @@ struct MadeTable {
 /// after_rows: called with the number of cells that are done since the last call; may throw. Throws
 /// CheckFailed if the device disagrees with the reference.
 MadeTable make_table(const Device& device, const Job& job,
-                     const std::function<void(std::size_t)>& after_rows);
+                     const std::function<void(std::size_t)>& after_rows,
+                     const ComputeOptions& options = {});
 
 /// The "run" of the sidecar: device, driver, timings, accuracy.
 nlohmann::ordered_json run_information(const Device& device, const MadeTable& made);

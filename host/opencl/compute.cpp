@@ -10,6 +10,7 @@
 #include <deque>
 
 #include "compute/horizon.hpp"
+#include "compute/idle_lobes.hpp"
 #include "compute/symmetry.hpp"
 #include "gonio/errors.hpp"
 #include "opencl/grid_kernel.hpp"
@@ -50,15 +51,16 @@ std::vector<const float*> planes_of(const float* values, std::size_t channels, s
 
 }  // namespace
 
-ComputeReport compute_grid(const Device& handle, const Material& material, Measure measure,
+ComputeReport compute_grid(const Device& handle, const Material& given, Measure measure,
                            const Grid& grid, const RowSink& sink, const ComputeOptions& options)
 try {
+    const Material material = options.leave_out ? without_idle_lobes(given) : given;
     check_frame(material, grid);
     Device::State& device = handle.state();
     const DirectionTables tables = direction_tables(grid, !material.isotropic());
     const std::size_t channels = material.channels(), row_size = channels * tables.length;
-    const bool reciprocal = options.symmetry && is_reciprocal(material, measure, grid);
-    const bool mirrored = options.symmetry && is_mirrored(material, grid);
+    const bool reciprocal = options.leave_out && is_reciprocal(material, measure, grid);
+    const bool mirrored = options.leave_out && is_mirrored(material, grid);
     GridKernel kernel(device, material, tables,
                       {"", measure, mirrored, reciprocal, handle.width()});
 

@@ -64,17 +64,20 @@ void append(const ResidualGrid* grid, std::vector<float>& values)
 
 }  // namespace
 
+std::vector<std::string> table_definitions(const Material& material, const TableProgram& program)
+{
+    return {fmt::format("CHANNELS={}", material.channels()),
+            fmt::format("MEASURE={}", static_cast<int>(program.measure)),
+            fmt::format("ISOTROPIC={}", material.isotropic() ? 1 : 0),
+            fmt::format("MIRROR={}", program.mirrored ? 1 : 0),
+            fmt::format("RECIPROCAL={}", program.reciprocal ? 1 : 0)};
+}
+
 cl::Kernel table_kernel(Device::State& device, const Material& material,
                         const TableProgram& program)
 {
-    const std::vector<std::string> definitions{
-        fmt::format("CHANNELS={}", material.channels()),
-        fmt::format("MEASURE={}", static_cast<int>(program.measure)),
-        fmt::format("ISOTROPIC={}", material.isotropic() ? 1 : 0),
-        fmt::format("MIRROR={}", program.mirrored ? 1 : 0),
-        fmt::format("RECIPROCAL={}", program.reciprocal ? 1 : 0)};
     return {build_program(device, preamble(material, program.grid_file, false), "table.cl",
-                          definitions, program.width),
+                          table_definitions(material, program), program.width),
             "table"};
 }
 

@@ -19,6 +19,9 @@ struct TableProgram {
     unsigned width = 1;
 };
 
+/// "NAME=VALUE" of all that kernel `table` is compiled for, besides lobes and choices.
+std::vector<std::string> table_definitions(const Material& material, const TableProgram& program);
+
 /// Builds kernel `table` for the lobes and choices of a material; their numbers stay arguments.
 cl::Kernel table_kernel(Device::State& device, const Material& material,
                         const TableProgram& program);

@@ -37,10 +37,12 @@ bool is_finished(const Job& job)
     }
 }
 
-BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make)
+BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make, Keep keep)
 {
     std::vector<Job> unfinished;
-    std::ranges::remove_copy_if(jobs, std::back_inserter(unfinished), is_finished);
+    std::ranges::remove_copy_if(jobs, std::back_inserter(unfinished), [&](const Job& job) {
+        return keep == Keep::finished && is_finished(job);
+    });
     check_disk(unfinished);
     prepare_directories(unfinished);
     double cells = 0;

@@ -24,10 +24,14 @@ struct BatchReport {
     std::size_t made = 0, kept = 0;
 };
 
+/// Which tables to make: all, or those that no earlier run has finished.
+enum class Keep { nothing, finished };
+
 /// Makes directories, removes what killed runs left behind, and makes every job that is not
-/// finished, with its sidecar. Throws UsageError before anything is computed if the tables do not
+/// kept, with its sidecar. Throws UsageError before anything is computed if the tables do not
 /// fit onto the disk, RunError if a directory cannot be made, Interrupted between two jobs;
 /// whatever was finished is kept.
-BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make);
+BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make,
+                      Keep keep = Keep::finished);
 
 }  // namespace gonio

@@ -91,8 +91,11 @@ std::string estimate_text(const std::vector<Job>& jobs, double values_per_second
         sum.file_bytes += cost.file_bytes;
         sum.memory_bytes = std::max(sum.memory_bytes, cost.memory_bytes);
         sum.seconds += cost.seconds;
+        const auto& channels = job.header.channels;
         const auto shape =
-            fmt::format("{} x {}", shape_text(job.header), fmt::join(job.header.channels, ""));
+            fmt::format("{} x {}", shape_text(job.header),
+                        channels.size() <= 4 ? fmt::format("{}", fmt::join(channels, ""))
+                                             : fmt::format("{} channels", channels.size()));
         text += line(job.path.string(), shape, cost);
     }
     return text + line(fmt::format("{} tables", jobs.size()), "", sum);

@@ -17,7 +17,8 @@ namespace gonio {
 using RowSink = std::function<void(const Rows<float>&)>;
 
 struct ComputeOptions {
-    bool symmetry = true;  ///< use mirror symmetry and reciprocity where they hold
+    /// Leave out what follows from the rest: mirror images, reciprocal halves, lobes of weight 0.
+    bool leave_out = true;
     std::size_t tile_bytes = std::size_t{64} << 20;  ///< upper bound of one tile; two are in flight
 };
 

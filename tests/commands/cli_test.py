@@ -182,6 +182,16 @@ class Cli(unittest.TestCase):
         self.assertIn("no --grid", self.gonio(*dfg, "--grid", "4x4x4", code=2))
         self.assertIn("no --axis", self.gonio("table", "ggx", "--axis", mu, code=2))
 
+    def test_plan(self):
+        (self.at / "s.toml").write_text(SCENE.format(n=4))
+        plan = json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]
+        self.assertEqual(plan["solver"], "closed_form")
+        self.assertFalse(plan["finished"])
+        self.gonio("run", "s.toml")
+        self.assertTrue(json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]["finished"])
+        self.assertIn("an earlier run made it", self.gonio("plan", "s.toml"))
+        self.assertIn("0 already finished", self.gonio("run", "s.toml", "--no-plan"))
+
     def test_lookup(self):
         rows = "theta_i,phi_i,theta_o,phi_o\n30.5,400,30.5,220\n12,0,0.2,-77\n"
         model = ["ggx", "--alpha", "0.4"]

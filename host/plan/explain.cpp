@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans in words. What they say of grids is asked of the functions that the computation asks.
+#include "plan/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "compute/idle_lobes.hpp"
+#include "compute/symmetry.hpp"
+#include "opencl/grid_kernel.hpp"
+#include "photon/bins.hpp"
+#include "photon/program.hpp"
+#include "plan/batch.hpp"
+
+namespace gonio {
+namespace {
+
+/// The error of a table without noise if nobody asks for one.
+constexpr double default_error = 1e-4;
+
+void leave_out(JobPlan& plan, std::string what, std::string why,
+               std::optional<double> saving = std::nullopt)
+{
+    plan.left_out.push_back({std::move(what), std::move(why), saving});
+}
+
+void leave_out_models(JobPlan& plan, const Material& material)
+{
+    std::set<std::string_view> named;
+    for (const Lobe& lobe : material.lobes) named.insert(lobe.model->id);
+    leave_out(plan, fmt::format("{} of {} models", models().size() - named.size(), models().size()),
+              "no lobe is one of them: they are not compiled");
+}
+
+void leave_out_weights(JobPlan& plan, const Material& given, const Material& kept)
+{
+    const auto all = given.lobes.size(), left = kept.lobes.size();
+    if (left < all)
+        leave_out(plan, fmt::format("{} of {} lobes", all - left, all), "their weight is 0",
+                  static_cast<double>(all) / static_cast<double>(left));
+    const bool plain = std::ranges::all_of(kept.lobes, [](const Lobe& lobe) {
+        return std::ranges::all_of(lobe.weight, [](double weight) { return weight == 1; });
+    });
+    if (plain) leave_out(plan, "weights", "all are 1");
+}
+
+void explain_grid(JobPlan& plan, const Device& device, const Job& job)
+{
+    const Material& given = job.materials.front();
+    const Material kept = without_idle_lobes(given);
+    const bool mirrored = is_mirrored(kept, job.grid);
+    const bool reciprocal = is_reciprocal(kept, job.measure, job.grid);
+    plan.kernel = "table.cl";
+    plan.width = fitting_width(device.width(), job.header.row_length() / (mirrored ? 2 : 1));
+    plan.definitions = table_definitions(kept, {"", job.measure, mirrored, reciprocal, plan.width});
+    leave_out_models(plan, kept);
+    leave_out_weights(plan, given, kept);
+    if (mirrored)
+        leave_out(plan, "half of " + job.grid.axes.back().name,
+                  "it is the mirror image of the other half", 2);
+    if (reciprocal)
+        leave_out(plan, "half of theta_i, theta_o", "light and viewer can change places", 2);
+    if (kept.isotropic()) leave_out(plan, "tangent frames", "every lobe is the same along x and y");
+}
+
+void explain_integral(JobPlan& plan, const Device& device, const Job& job)
+{
+    plan.kernel = "albedo.cl";
+    plan.width = device.width();
+    leave_out_models(plan, job.materials.front());
+    leave_out(plan, "random sampling", "quadrature has no noise and knows its error");
+}
+
+/// Photons have such a standard error of a fraction near 1/2.
+void leave_out_photons(JobPlan& plan, double error)
+{
+    leave_out(
+        plan, "photons",
+        fmt::format("adding-doubling has no noise, and {:.0e} photons have an error of {:.0e}",
+                    0.25 / (error * error), error));
+}
+
+void explain_layers(JobPlan& plan, const Device& device, const Job& job)
+{
+    const LightJob& light = *job.layers;
+    if (light.solver == "adding_doubling")
+        return leave_out_photons(plan, light.budget.max_error.value_or(default_error));
+    const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);
+    plan.kernel = "photon/launch.cl";
+    plan.width = device.width();
+    plan.definitions =
+        photon_program(light.medium, {.light = light.light, .tallies = tallies}).definitions;
+    const auto unless = [&](bool asked, const char* what) {
+        if (!asked) leave_out(plan, what, "nobody asks for it: neither compiled nor allocated");
+    };
+    unless(tallies.reflected, "the tally of reflected light");
+    unless(tallies.transmitted, "the tally of transmitted light");
+    unless(tallies.absorbed, "the tally of absorbed light");
+}
+
+void explain_skin(JobPlan& plan, const Device& device, const Job& job)
+{
+    if (job.profile) {
+        plan.kernel = "photon/launch.cl";
+        plan.width = device.width();
+        return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them", 4);
+    }
+    leave_out_photons(plan, job.skin->tolerance);
+    if (!job.skin->ladders.empty())
+        leave_out(plan, "layers that several sets share", "they are solved once at a wavelength");
+}
+
+std::string solver_of(const Job& job)
+{
+    if (job.layers) return job.layers->solver;
+    if (job.skin) return job.profile ? "monte_carlo" : "adding_doubling";
+    return job.cells.empty() ? "closed_form" : "quadrature";
+}
+
+}  // namespace
+
+JobPlan explain(const Device& device, const Job& job)
+{
+    JobPlan plan;
+    plan.solver = solver_of(job);
+    plan.finished = is_finished(job);
+    if (job.layers)
+        explain_layers(plan, device, job);
+    else if (job.skin)
+        explain_skin(plan, device, job);
+    else if (!job.cells.empty())
+        explain_integral(plan, device, job);
+    else
+        explain_grid(plan, device, job);
+    if (plan.finished)
+        plan.left_out.insert(plan.left_out.begin(), {"all of it", "an earlier run made it", {}});
+    return plan;
+}
+
+}  // namespace gonio

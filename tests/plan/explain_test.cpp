@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+// What plans say, and that leaving out changes no bit.
+#include "plan/explain.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "compute/symmetry.hpp"
+#include "gonio/compute.hpp"
+
+namespace gonio {
+namespace {
+
+JobPlan plan_of(const std::string& scene)
+{
+    return explain(Device(), plan_jobs(parse_scene(scene, "s.toml"), testing::TempDir()).at(0));
+}
+
+std::vector<std::string> left_out(const JobPlan& plan)
+{
+    std::vector<std::string> all;
+    for (const LeftOut& left : plan.left_out) all.push_back(left.what);
+    return all;
+}
+
+TEST(PlanInWords, SaysWhatAGridLeavesOut)
+{
+    const JobPlan plan = plan_of(
+        "[[material]]\nname = \"a\"\n[[material.lobes]]\nmodel = \"ggx\"\n[[material.lobes]]\n"
+        "model = \"lambert\"\nweight = 0\n[[table]]\nmaterial = \"a\"\nquantity = \"brdf\"\n"
+        "grid = { kind = \"isotropic\", theta_i = 4, theta_o = 4, delta_phi = 64 }\n");
+    EXPECT_EQ(plan.solver, "closed_form");
+    EXPECT_EQ(left_out(plan), (std::vector<std::string>{
+                                  "21 of 22 models", "1 of 2 lobes", "weights", "half of delta_phi",
+                                  "half of theta_i, theta_o", "tangent frames"}));
+    EXPECT_EQ(plan.left_out[1].saving, 2);
+    EXPECT_NE(std::ranges::find(plan.definitions, "MIRROR=1"), plan.definitions.end());
+    EXPECT_FALSE(plan.finished);
+}
+
+TEST(PlanInWords, SaysWhatLayersLeaveOut)
+{
+    const std::string layers =
+        "[[material]]\nname = \"a\"\nlayers = [{ mua = 1, mus = 10, g = 0.5, n = 1, d = 1 }]\n"
+        "[[table]]\nmaterial = \"a\"\n";
+    const JobPlan exact = plan_of(layers + "quantity = \"light_budget\"\n");
+    EXPECT_EQ(exact.solver, "adding_doubling");
+    EXPECT_EQ(left_out(exact), std::vector<std::string>{"photons"});
+    const JobPlan traced =
+        plan_of(layers + "quantity = \"reflectance_r\"\naxes = { r = { to = 1, count = 4 } }\n");
+    EXPECT_EQ(traced.solver, "monte_carlo");
+    EXPECT_EQ(left_out(traced), (std::vector<std::string>{"the tally of transmitted light",
+                                                          "the tally of absorbed light"}));
+}
+
+/// Materials of one to three lobes, some of weight 0 or 1, which share their programs.
+class Corpus {
+public:
+    explicit Corpus(std::size_t shape) : random_(shape), shape_(shape) {}
+
+    Material material()
+    {
+        static constexpr std::array names = {"lambert", "ggx", "blinn_phong", "ward", "oren_nayar"};
+        static constexpr std::array parameters = {"rho", "alpha", "exponent", "alpha", "sigma"};
+        static constexpr std::array weights = {0.0, 1.0, 0.3};
+        Material material{"corpus", {}};
+        for (std::size_t k = 0; k <= shape_ % 3; ++k) {
+            const std::size_t which = (shape_ + k * (1 + shape_ / 5)) % names.size();
+            Lobe lobe = default_lobe(names[which]);
+            lobe.set(parameters[which], std::vector{0.02 + 0.9 * uniform()});
+            lobe.set("weight", std::vector{weights[(shape_ + k) % weights.size()]});
+            material.lobes.push_back(lobe);
+        }
+        return material;
+    }
+
+    Grid grid()
+    {
+        const auto samples = uniform() < 0.5 ? Samples::centre : Samples::node;
+        const std::size_t i = 2 + count(4), o = uniform() < 0.7 ? i : 2 + count(4);
+        return isotropic_grid(i, o, 33 + count(40), samples, uniform() < 0.7 ? 360 : 180);
+    }
+
+private:
+    double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-53; }
+    std::size_t count(int most) { return static_cast<std::size_t>(most * uniform()); }
+
+    std::mt19937_64 random_;
+    std::size_t shape_;
+};
+
+std::vector<float> values(const Device& device, const Material& material, const Grid& grid,
+                          bool leave_out)
+{
+    std::vector<float> all;
+    const auto sink = [&](const Rows<float>& rows) {
+        all.insert(all.end(), rows.planes[0],
+                   rows.planes[0] + rows.count * grid.axes.back().values.size());
+    };
+    compute_grid(device, material, Measure::brdf, grid, sink, {.leave_out = leave_out});
+    return all;
+}
+
+TEST(PlanInWords, LeavingOutChangesNoBitOfTwoHundredTables)
+{
+    const Device device;
+    std::size_t shorter = 0;
+    for (std::size_t shape = 0; shape < 4; ++shape) {
+        Corpus corpus(shape);
+        for (int k = 0; k < 50; ++k) {
+            const Material material = corpus.material();
+            const Grid grid = corpus.grid();
+            EXPECT_EQ(values(device, material, grid, true), values(device, material, grid, false))
+                << "shape " << shape << ", table " << k;
+            if (is_mirrored(material, grid) || is_reciprocal(material, Measure::brdf, grid))
+                ++shorter;
+        }
+    }
+    EXPECT_GT(shorter, 50U);
+}
+
+}  // namespace
+}  // namespace gonio
