@@ -31,7 +31,7 @@ time = "5 s"
 std::vector<std::string> seeds()
 {
     std::vector<std::string> texts{layered};
-    for (const auto name : {"quickstart", "brushed_steel", "merl"}) {
+    for (const auto name : {"quickstart", "brushed_steel", "merl", "face_phong", "face_skin"}) {
         std::ifstream file(std::string(SCENES) + "/" + name + ".toml");
         texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     }
