@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which symmetries of a table follow from its material, measure and grid.
+// Which symmetries of a table follow from its material, measure and grid, and save time.
 #pragma once
 
 #include "gonio/grid.hpp"

@@ -28,7 +28,8 @@ std::vector<std::string> left_out(const JobPlan& plan)
 TEST(PlanInWords, SaysWhatAGridLeavesOut)
 {
     const JobPlan plan = plan_of(
-        "[[material]]\nname = \"a\"\n[[material.lobes]]\nmodel = \"ggx\"\n[[material.lobes]]\n"
+        "[[material]]\nname = \"a\"\n[[material.lobes]]\nmodel = "
+        "\"blinn_phong\"\n[[material.lobes]]\n"
         "model = \"lambert\"\nweight = 0\n[[table]]\nmaterial = \"a\"\nquantity = \"brdf\"\n"
         "grid = { kind = \"isotropic\", theta_i = 4, theta_o = 4, delta_phi = 64 }\n");
     EXPECT_EQ(plan.solver, "closed_form");
