@@ -57,10 +57,9 @@ Storage read_output(const Section& root, std::filesystem::path& directory)
 void warn_of_unused(Scene& scene)
 {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-        const bool used =
-            std::ranges::count(scene.tables, m, &TableRequest::material) > 0 ||
-            (scene.picture &&
-             std::ranges::count(scene.picture->meshes, m, &PictureMesh::material) > 0);
+        const bool used = std::ranges::count(scene.tables, m, &TableRequest::material) > 0 ||
+                          (scene.picture && std::ranges::count(scene.picture->meshes, m,
+                                                               &PictureMesh::material) > 0);
         if (!used)
             scene.warnings.push_back(fmt::format("{}nothing is asked of material `{}`",
                                                  scene.materials[m].where,
@@ -89,8 +88,8 @@ Scene parse_scene(std::string_view text, std::string_view file)
         }
     }
     if (const auto picture = root.find("picture"))
-        scene.picture = read_picture(*picture, scene.materials,
-                                     std::filesystem::path(file).parent_path());
+        scene.picture =
+            read_picture(*picture, scene.materials, std::filesystem::path(file).parent_path());
     if (scene.tables.empty() && !scene.picture)
         root.fail("the scene asks for no [[table]] and no [picture]");
     warn_of_unused(scene);
