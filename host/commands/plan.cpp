@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.hpp"
@@ -39,7 +40,7 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
                                 {"memory_bytes", cost.memory_bytes},
                                 {"finished", plan.finished},
                                 {"left_out", left_out}};
-    if (cost.seconds == cost.seconds) json["seconds"] = cost.seconds;
+    if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
     return json;
 }
 

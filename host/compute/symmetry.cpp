@@ -9,8 +9,8 @@ namespace gonio {
 namespace {
 
 /// Algebraic lobes come as fast as memory takes them, and to store a value twice in two places then
-/// takes longer than to compute it twice: 0.5 to 1.1 times the speed was measured, and 1.4 to 2.4
-/// for the others.
+/// takes longer than to compute it twice: 0.5 to 1.2 times the speed was measured of most, and 1.4
+/// to 2.4 of most others.
 bool costs_more_than_its_store(const Material& material)
 {
     return std::ranges::any_of(material.lobes,

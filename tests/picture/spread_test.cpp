@@ -9,6 +9,7 @@
 #include <random>
 
 #include "compute/shared_device.hpp"
+#include "skin/skin_fixtures.hpp"
 
 namespace gonio {
 namespace {
@@ -17,14 +18,7 @@ using glm::dvec3;
 
 class Spread : public test::SharedDevice {};
 
-/// d'Eon & Luebke, GPU Gems 3, chapter 14, 2007: table 14-1.
-const SumOfGaussians gpu_gems{{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41},
-                              {{0.233, 0.455, 0.649},
-                               {0.100, 0.336, 0.344},
-                               {0.118, 0.198, 0},
-                               {0.113, 0.007, 0.007},
-                               {0.358, 0.004, 0},
-                               {0.078, 0, 0}}};
+const SumOfGaussians gpu_gems = test::skin_of_gpu_gems();
 
 /// A plane seen face to face, whose pixels are `side` mm wide.
 EnteringLight plane(std::size_t width, std::size_t height, double side)

@@ -10,21 +10,10 @@
 #include "gonio/colour.hpp"
 #include "reference/csv.hpp"
 #include "reference/z_test.hpp"
+#include "skin/skin_fixtures.hpp"
 
 namespace gonio {
 namespace {
-
-/// d'Eon & Luebke, GPU Gems 3, chapter 14, 2007: table 14-1.
-SumOfGaussians skin_of_gpu_gems()
-{
-    return {{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41},
-            {{0.233, 0.455, 0.649},
-             {0.100, 0.336, 0.344},
-             {0.118, 0.198, 0},
-             {0.113, 0.007, 0.007},
-             {0.358, 0.004, 0},
-             {0.078, 0, 0}}};
-}
 
 /// Rings of 0.02 mm up to 10 mm with the light that a function leaves beyond a radius in mm.
 template <typename Beyond>
@@ -50,7 +39,7 @@ double beyond(const SumOfGaussians& function, std::size_t channel, double r)
 // The rows are printed with five digits, and their program's own grid is good to 2e-5.
 TEST(LightAroundASphere, AgreesWithTheIntegralOfAnotherProgram)
 {
-    const auto profile = skin_of_gpu_gems();
+    const auto profile = test::skin_of_gpu_gems();
     double ring_off = 0;
     for (const test::CsvRow& row : test::read_csv("skin/around_a_sphere.csv")) {
         const double radius = row.number("radius_mm"), cosine = row.number("NdotL");
@@ -66,7 +55,7 @@ TEST(LightAroundASphere, AgreesWithTheIntegralOfAnotherProgram)
 
 TEST(LightAroundASphere, KnownEnds)
 {
-    const auto profile = skin_of_gpu_gems();
+    const auto profile = test::skin_of_gpu_gems();
     for (const double cosine : {-1.0, -0.3, 0.0, 0.6, 1.0})
         EXPECT_NEAR(around_a_sphere(profile, cosine, 0)[0], std::max(0.0, cosine), 1e-15);
     // A Gaussian far wider than the sphere makes the light everywhere its mean, 1/4.
@@ -78,7 +67,7 @@ TEST(LightAroundASphere, KnownEnds)
 
 TEST(ProfileFits, FindGaussiansAgain)
 {
-    const auto truth = skin_of_gpu_gems();
+    const auto truth = test::skin_of_gpu_gems();
     const auto profile = rings_of([&](std::size_t c, double r) { return beyond(truth, c, r); });
     const auto fit = fit_gaussians(profile);
     for (std::size_t c = 0; c < 3; ++c) {

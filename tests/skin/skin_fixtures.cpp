@@ -35,4 +35,15 @@ Skin skin_of(const std::string& name)
     return skin;
 }
 
+SumOfGaussians skin_of_gpu_gems()
+{
+    return {{0.0064, 0.0484, 0.187, 0.567, 1.99, 7.41},
+            {{0.233, 0.455, 0.649},
+             {0.100, 0.336, 0.344},
+             {0.118, 0.198, 0},
+             {0.113, 0.007, 0.007},
+             {0.358, 0.004, 0},
+             {0.078, 0, 0}}};
+}
+
 }  // namespace gonio::test
