@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <iterator>
 
-#include "skin/parallel.hpp"
+#include "parallel.hpp"
 
 namespace gonio {
 namespace {
@@ -32,7 +32,7 @@ Rays::Rays(const PictureRequest& picture) : picture_(picture)
 std::vector<Sample> Rays::meet(const Geometry& geometry, std::size_t first, std::size_t count) const
 {
     std::vector<std::vector<Sample>> rows(count);
-    skin::in_parallel(count, [&](std::size_t row) {
+    in_parallel(count, [&](std::size_t row) {
         const double cells = static_cast<double>(picture_.samples);
         const auto from_centre = [&](std::size_t pixel, std::size_t cell, std::size_t pixels) {
             return static_cast<double>(pixel) + (static_cast<double>(cell) + 0.5) / cells -

@@ -8,8 +8,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "parallel.hpp"
 #include "picture/lights.hpp"
-#include "skin/parallel.hpp"
 
 namespace gonio {
 namespace {
@@ -39,7 +39,7 @@ SkinLayers::SkinLayers(const Device& device, const PictureRequest& picture, cons
 void SkinLayers::enter(const Geometry& geometry, std::span<const Sample> samples)
 {
     std::vector<dvec3> light(samples.size());
-    skin::in_parallel(samples.size(), [&](std::size_t k) {
+    in_parallel(samples.size(), [&](std::size_t k) {
         const Hit& hit = samples[k].hit;
         for (const PictureLight& each : picture_.lights) {
             if (const auto* uniform = std::get_if<UniformLight>(&each))

@@ -9,8 +9,8 @@
 #include "gonio/albedo.hpp"
 #include "gonio/colour.hpp"
 #include "output/tone.hpp"
+#include "parallel.hpp"
 #include "reference/adding_doubling.hpp"
-#include "skin/parallel.hpp"
 
 namespace gonio {
 namespace {
@@ -34,7 +34,7 @@ std::vector<std::vector<double>> returned(const Skin& skin, const std::vector<do
     for (std::size_t node = 0; node < nodes; ++node)
         request.incidence.push_back(std::acos(cosine_of(node)));
     std::vector<std::vector<double>> parts(nodes, std::vector<double>(wavelengths.size()));
-    skin::in_parallel(wavelengths.size(), [&](std::size_t k) {
+    in_parallel(wavelengths.size(), [&](std::size_t k) {
         const auto solution =
             reference::solve_layers_to(skin.layers_at(wavelengths[k]), request, tolerance);
         for (std::size_t node = 0; node < nodes; ++node) {

@@ -11,8 +11,8 @@
 #include "gonio/compute.hpp"
 #include "grid/local_pair.hpp"
 #include "output/tone.hpp"
+#include "parallel.hpp"
 #include "picture/lights.hpp"
-#include "skin/parallel.hpp"
 
 namespace gonio {
 namespace {
@@ -77,7 +77,7 @@ std::vector<dvec3> Surface::radiance(const Geometry& geometry, std::span<const S
 {
     std::vector<dvec3> radiance(samples.size(), dvec3(rgb_of(material_.ambient)));
     if (!uniform_.empty())
-        skin::in_parallel(samples.size(), [&](std::size_t k) {
+        in_parallel(samples.size(), [&](std::size_t k) {
             radiance[k] += uniform_light_ * uniform_reflectance(samples[k]);
         });
 
@@ -90,7 +90,7 @@ std::vector<dvec3> Surface::radiance(const Geometry& geometry, std::span<const S
     for (const PictureLight& light : picture_.lights) {
         std::vector<std::optional<Arrival>> arrivals(samples.size());
         std::vector<DirectionPair> angles(samples.size());
-        skin::in_parallel(samples.size(), [&](std::size_t k) {
+        in_parallel(samples.size(), [&](std::size_t k) {
             const auto& [pixel, hit, viewer] = samples[k];
             arrivals[k] = arrival(light, hit, geometry);
             if (arrivals[k])

@@ -9,10 +9,10 @@
 
 #include "gonio/errors.hpp"
 #include "gonio/skin.hpp"
+#include "parallel.hpp"
 #include "reference/adding_doubling.hpp"
 #include "reference/adding_doubling/directions.hpp"
 #include "reference/adding_doubling/slab_memory.hpp"
-#include "skin/parallel.hpp"
 
 namespace gonio {
 namespace {
@@ -73,8 +73,8 @@ Rule rule_for_all(const Problem& problem, double tolerance)
         for (const std::size_t k : spread(problem.wavelengths.size()))
             samples.push_back(set * problem.wavelengths.size() + k);
     std::vector<Rule> rules(samples.size());
-    skin::in_parallel(samples.size(),
-                      [&](std::size_t k) { rules[k] = rule_for(problem, samples[k], tolerance); });
+    in_parallel(samples.size(),
+                [&](std::size_t k) { rules[k] = rule_for(problem, samples[k], tolerance); });
     Rule rule;
     for (const Rule& each : rules) {
         rule.nodes = std::max(rule.nodes, each.nodes);
@@ -119,7 +119,7 @@ std::vector<SkinSpectrum> solve_skin(const std::vector<Skin>& sets,
     // Sets that differ in the melanin of one layer share all others at a wavelength.
     const std::size_t each = wavelengths.size();
     const std::size_t blocks = (sets.size() + sharing - 1) / sharing;
-    skin::in_parallel(blocks * each, [&](std::size_t work) {
+    in_parallel(blocks * each, [&](std::size_t work) {
         const std::size_t block = work / each, k = work % each;
         reference::SlabMemory slabs;
         for (std::size_t set = block * sharing; set < std::min((block + 1) * sharing, sets.size());

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace gonio::skin {
+namespace gonio {
 
 /// Calls work(0) to work(count - 1), each once, on all processors. Throws what the first of them
 /// that failed threw.
@@ -37,4 +37,4 @@ void in_parallel(std::size_t count, const Work& work)
     if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace gonio::skin
+}  // namespace gonio
