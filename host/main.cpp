@@ -50,6 +50,7 @@ int parse(int count, char** words)
     gonio::add_lookup(app);
     gonio::add_compress(app);
     gonio::add_verify(app);
+    gonio::add_bench(app);
     try {
         app.parse(count, words);
         return 0;

@@ -4,7 +4,7 @@ set(generated_dir ${CMAKE_BINARY_DIR}/generated)
 set(generated_sources)
 
 # Writes `function`() of opencl/embedded.hpp, which gives the files named behind it. Each file's
-# name is told relative to whichever of kernels/, include/ and host/ it lies in.
+# name is told relative to whichever of kernels/, include/ and host/ it lies in, if it does.
 function(gonio_embed function)
   set(output ${generated_dir}/${function}.cpp)
   string(REPLACE ";" "\n" files "${ARGN}")
@@ -22,6 +22,9 @@ file(GLOB_RECURSE kernel_files CONFIGURE_DEPENDS kernels/*.cl kernels/*.h includ
 gonio_embed(kernel_files ${kernel_files})
 file(GLOB_RECURSE data_files CONFIGURE_DEPENDS host/data/*.csv host/data/*.toml)
 gonio_embed(data_files ${data_files})
+# Reports hold the library that draws their charts, so that they need no network.
+find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js REQUIRED)
+gonio_embed(page_files ${CMAKE_SOURCE_DIR}/host/timings/report.html ${CHART_JS})
 
 # Looks for the commit in every build, and touches version.hpp only when it is another one.
 add_custom_target(gonio_version

@@ -34,5 +34,6 @@ void add_verify(CLI::App& app);
 void add_photon(CLI::App& app);
 void add_skin(CLI::App& app);
 void add_picture(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace gonio

@@ -20,4 +20,7 @@ std::span<const EmbeddedFile> kernel_files();
 /// Everything in host/data/.
 std::span<const EmbeddedFile> data_files();
 
+/// The page of a report, and the library that draws its charts: "chart.min.js".
+std::span<const EmbeddedFile> page_files();
+
 }  // namespace gonio

@@ -42,7 +42,7 @@ public:
     MonteCarloResult run();
 
 private:
-    double uniform() { return (double(generator_() >> 11) + 0.5) * 0x1p-53; }
+    double uniform() { return uniform_(); }
     std::size_t r_bin(const Photon& photon) const;
     std::size_t alpha_bin(double cosine) const;
 
@@ -59,7 +59,7 @@ private:
     const LayeredMedium& medium_;
     const MonteCarloRequest& request_;
     std::vector<Level> levels_;
-    std::mt19937_64 generator_;
+    std::function<double()> uniform_;
 
     BatchScores scores_;
     std::size_t specular_ = scores_.append(1), diffuse_reflectance_ = scores_.append(1);
@@ -77,8 +77,12 @@ private:
 };
 
 Simulation::Simulation(const LayeredMedium& medium, const MonteCarloRequest& request)
-    : medium_(medium), request_(request), generator_(request.seed)
+    : medium_(medium), request_(request), uniform_(request.uniform)
 {
+    if (!uniform_)
+        uniform_ = [generator = std::mt19937_64(request.seed)]() mutable {
+            return (double(generator() >> 11) + 0.5) * 0x1p-53;
+        };
     double depth = 0;
     for (const Layer& layer : medium.layers) {
         levels_.push_back({depth, depth + layer.d, layer.n, layer.mua, layer.mua + layer.mus,
@@ -201,7 +205,8 @@ void Simulation::leave(Photon& photon)
 void Simulation::absorb(Photon& photon)
 {
     const Level& level = levels_[photon.layer];
-    const double weight = photon.weight * level.mua / level.mut;
+    const double part = level.mua / level.mut;
+    const double weight = photon.weight * (request_.analogue ? double(uniform() < part) : part);
     photon.weight -= weight;
     const double bin = photon.z / request_.dz;
     const std::size_t z =

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "gonio/layers.hpp"
@@ -16,12 +17,16 @@ namespace gonio::reference {
 struct MonteCarloRequest {
     std::size_t photons = 100'000;
     std::uint64_t seed = 1;
+    /// Where numbers in (0, 1) come from; empty: the Mersenne Twister, by the seed.
+    std::function<double()> uniform = {};
     bool diffuse = false;  ///< Lambertian light, else a pencil beam
     double incidence = 0;  ///< of the pencil beam, towards +x; rad from the normal, in [0, pi / 2)
 
     std::size_t batches = 50;        ///< of equal size; their spread gives the errors. At least 2
     double roulette_below = 1e-4;    ///< a photon that is lighter than this lives on
     double roulette_survival = 0.1;  ///< with this probability
+    /// A photon is absorbed whole or not at all, instead of losing weight.
+    bool analogue = false;
     std::size_t most_steps = 10'000'000;  ///< of one photon; what it carries then is `unfinished`
 
     double dr = 0.01, dz = 0.01;                            ///< bin widths, cm

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gonio {
@@ -39,6 +40,7 @@ public:
     unsigned width() const;
 
     struct State;
+    explicit Device(std::shared_ptr<State> state) : state_(std::move(state)) {}
     State& state() const { return *state_; }
 
 private:

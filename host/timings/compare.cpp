@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two reports side by side.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "timings/report.hpp"
+
+namespace gonio {
+namespace {
+
+bool apart(const Spread& a, const Spread& b)
+{
+    return a.high < b.low || b.high < a.low;
+}
+
+/// Quartiles of the ratio b / a, as far as those of a and b tell.
+std::string ratio(const Spread& a, const Spread& b)
+{
+    if (a.median == b.median) return fmt::format("{:>22}", "same");
+    if (!(a.low > 0))
+        return fmt::format("{:>22}", fmt::format("{:.3g} -> {:.3g}", a.median, b.median));
+    return fmt::format("{:>7.3f} ({:.3f} to {:.3f}){}", b.median / a.median, b.low / a.high,
+                       b.high / a.low, apart(a, b) ? " *" : "  ");
+}
+
+}  // namespace
+
+std::string comparison(const BenchReport& first, const BenchReport& second)
+{
+    std::string text = "second / first; in brackets from the quartiles of both; * beyond them\n";
+    for (const char* key : {"program", "device", "driver", "width", "cxx", "noise"})
+        text += fmt::format("{:<8} {}\n{:<8} {}\n", key,
+                            first.about.value(key, nlohmann::ordered_json()).dump(), "",
+                            second.about.value(key, nlohmann::ordered_json()).dump());
+    for (const BenchPlot& plot : first.plots) {
+        const auto other = std::ranges::find(second.plots, plot.id, &BenchPlot::id);
+        if (other == second.plots.end()) continue;
+        text += fmt::format("\n{}\n{:<28} {:<22} {:<28} {}\n", plot.title, "", "", plot.x_title,
+                            plot.y_title);
+        for (const BenchPoint& point : plot.points) {
+            const auto twin = std::ranges::find_if(other->points, [&](const BenchPoint& p) {
+                return p.series == point.series && p.label == point.label;
+            });
+            if (twin == other->points.end()) continue;
+            text += fmt::format("{:<28} {:<22} {:<28} {}\n", point.series, point.label,
+                                ratio(point.x, twin->x), ratio(point.y, twin->y));
+        }
+    }
+    return text;
+}
+
+}  // namespace gonio

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random numbers: how fast a generator is, and whether it bends the answer.
+#include "timings/generators.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "parallel.hpp"
+#include "reference/adding_doubling.hpp"
+#include "reference/scalar_monte_carlo.hpp"
+#include "timings/sections.hpp"
+
+namespace gonio {
+namespace {
+
+/// In (0, 1), as the kernels make it.
+double uniform_of(std::uint32_t word)
+{
+    return double((word >> 8) | 1) * 0x1p-24;
+}
+
+/// Salmon et al., Parallel Random Numbers: As Easy as 1, 2, 3, SC 2011: Philox4x32 with so many
+/// rounds. The counter is 64 bits, the key the seed.
+template <int rounds>
+class Philox {
+public:
+    explicit Philox(std::uint32_t seed) : seed_(seed) {}
+
+    std::uint32_t operator()()
+    {
+        if (used_ == words_.size()) refill();
+        return words_[used_++];
+    }
+
+    std::array<std::uint32_t, 4> block(std::uint64_t counter) const
+    {
+        std::array<std::uint32_t, 4> c{std::uint32_t(counter), std::uint32_t(counter >> 32), 0, 0};
+        std::uint32_t key_0 = seed_, key_1 = 0;
+        for (int round = 0; round < rounds; ++round) {
+            const std::uint64_t p = std::uint64_t{c[0]} * 0xD2511F53U;
+            const std::uint64_t q = std::uint64_t{c[2]} * 0xCD9E8D57U;
+            c = {std::uint32_t(q >> 32) ^ c[1] ^ key_0, std::uint32_t(q),
+                 std::uint32_t(p >> 32) ^ c[3] ^ key_1, std::uint32_t(p)};
+            key_0 += 0x9E3779B9U;
+            key_1 += 0xBB67AE85U;
+        }
+        return c;
+    }
+
+private:
+    void refill()
+    {
+        words_ = block(counter_++);
+        used_ = 0;
+    }
+
+    std::uint32_t seed_;
+    std::uint64_t counter_ = 0;
+    std::array<std::uint32_t, 4> words_{};
+    std::size_t used_ = words_.size();
+};
+
+/// Blackman and Vigna, ACM TOMS 47(4), 2021, seeded by Philox: the kernels' own.
+class Xoshiro {
+public:
+    explicit Xoshiro(std::uint32_t seed) : s_(Philox<10>(seed).block(0)) {}
+
+    std::uint32_t operator()()
+    {
+        const std::uint32_t result = std::rotl(s_[0] + s_[3], 7) + s_[0], shifted = s_[1] << 9;
+        s_[2] ^= s_[0];
+        s_[3] ^= s_[1];
+        s_[1] ^= s_[2];
+        s_[0] ^= s_[3];
+        s_[2] ^= shifted;
+        s_[3] = std::rotl(s_[3], 11);
+        return result;
+    }
+
+private:
+    std::array<std::uint32_t, 4> s_;
+};
+
+/// PCG-XSH-RR 64/32: O'Neill, PCG, Harvey Mudd College HMC-CS-2014-0905, 2014.
+class Pcg {
+public:
+    explicit Pcg(std::uint32_t seed) : state_(seed) { (*this)(); }
+
+    std::uint32_t operator()()
+    {
+        const std::uint64_t old = state_;
+        state_ = old * 6364136223846793005U + 1442695040888963407U;
+        return std::rotr(std::uint32_t(((old >> 18) ^ old) >> 27), int(old >> 59));
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// Multiply with carry, as GPU codes of photons use it: Alerstam, Svensson, Andersson-Engels,
+/// J. Biomed. Opt. 13, 060504, 2008.
+class MultiplyWithCarry {
+public:
+    explicit MultiplyWithCarry(std::uint32_t seed) : state_(0x1234567800000001U + seed) {}
+
+    std::uint32_t operator()()
+    {
+        state_ = (state_ & 0xffffffffU) * 4294967118U + (state_ >> 32);
+        return std::uint32_t(state_);
+    }
+
+private:
+    std::uint64_t state_;
+};
+
+/// A linear congruence of 31 bits, as the C library's rand() of old (ISO C's example).
+class Congruence {
+public:
+    explicit Congruence(std::uint32_t seed) : state_(seed) {}
+
+    double operator()()
+    {
+        state_ = state_ * 1103515245U + 12345U;
+        return (double((state_ >> 16) & 0x7fffU) + 0.5) * 0x1p-15;
+    }
+
+private:
+    std::uint32_t state_;
+};
+
+/// Knuth's subtractive lagged Fibonacci generator (TAOCP 2, 3.2.2), lags 55 and 24, modulus 1e9:
+/// the one behind MCML. Its differences of two earlier numbers show in threes.
+class Subtractive {
+public:
+    explicit Subtractive(std::uint32_t seed)
+    {
+        std::int64_t last = std::abs(161803398 - std::int64_t{seed}) % modulus, next = 1;
+        table_[54] = last;
+        for (std::size_t k = 1; k < 55; ++k) {
+            const std::size_t at = 21 * k % 55 - 1;
+            table_[at] = next;
+            next = last - next < 0 ? last - next + modulus : last - next;
+            last = table_[at];
+        }
+        for (int warm = 0; warm < 4; ++warm)
+            for (std::size_t k = 0; k < 55; ++k) {
+                table_[k] -= table_[(k + 31) % 55];
+                if (table_[k] < 0) table_[k] += modulus;
+            }
+    }
+
+    double operator()()
+    {
+        first_ = (first_ + 1) % 55;
+        second_ = (second_ + 1) % 55;
+        std::int64_t value = table_[first_] - table_[second_];
+        if (value < 0) value += modulus;
+        table_[first_] = value;
+        return (double(value) + 0.5) / double(modulus);
+    }
+
+private:
+    static constexpr std::int64_t modulus = 1'000'000'000;
+    std::array<std::int64_t, 55> table_{};
+    std::size_t first_ = 54, second_ = 30;
+};
+
+template <class Words>
+std::function<double()> uniforms(std::uint32_t seed)
+{
+    return [words = Words(seed)]() mutable { return uniform_of(words()); };
+}
+
+/// Five layers of skin at 633 nm: Tuchin 1997, as GPU-MCML ships them.
+LayeredMedium five_layers()
+{
+    const auto layer = [](double mua, double mus, double g, double n, double d) {
+        return Layer{mua, mus, n, d, HenyeyGreenstein{g}};
+    };
+    return {.layers = {layer(4.3, 107, 0.79, 1.5, 0.01), layer(2.7, 187, 0.82, 1.4, 0.02),
+                       layer(3.3, 192, 0.82, 1.4, 0.02), layer(2.7, 187, 0.82, 1.4, 0.09),
+                       layer(3.4, 194, 0.82, 1.4, 0.06)}};
+}
+
+double nanoseconds_each(const Generator& generator)
+{
+    constexpr int count = 2'000'000;
+    const auto uniform = generator.make(1);
+    double sum = 0;
+    const double seconds = seconds_on_the_wall([&] {
+        for (int k = 0; k < count; ++k) sum += uniform();
+    });
+    return sum > 0 ? seconds * 1e9 / count : 0;
+}
+
+}  // namespace
+
+const std::vector<Generator>& generators()
+{
+    static const std::vector<Generator> all{
+        {"xoshiro128++ seeded by Philox", uniforms<Xoshiro>},
+        {"Philox4x32-10", uniforms<Philox<10>>},
+        {"Philox4x32-7", uniforms<Philox<7>>},
+        {"PCG32", uniforms<Pcg>},
+        {"multiply with carry", uniforms<MultiplyWithCarry>},
+        {"bad: congruence of 15 bits",
+         [](std::uint32_t seed) -> std::function<double()> { return Congruence(seed); }},
+        {"bad: lagged Fibonacci (MCML's)",
+         [](std::uint32_t seed) -> std::function<double()> { return Subtractive(seed); }},
+    };
+    return all;
+}
+
+BenchPlot bench_generators(const BenchRun& run)
+{
+    BenchPlot plot{
+        "generators", "Random numbers: speed, and what they do to the answer",
+        "The scalar Monte Carlo of the reference through five layers of skin, with each "
+        "generator: by how many standard errors the diffuse transmittance is off that of "
+        "adding-doubling (beyond 3 or 4 it is the generator). Time of a number through a "
+        "function call, on one core.",
+        "ns per number", "off by, standard errors"};
+    plot.joined = plot.x_logarithmic = plot.y_logarithmic = false;
+    const LayeredMedium medium = five_layers();
+    const double right = reference::solve_layers_once(medium, {.incidence = {0}}, 96)
+                             .collimated[0]
+                             .budget.diffuse_transmittance;
+    const std::size_t photons = run.quick ? 20'000 : 2'000'000;
+    run.step("generators");
+    std::vector<reference::Estimate> found(generators().size());
+    in_parallel(found.size(), [&](std::size_t k) {
+        found[k] = reference::simulate(medium, {.photons = photons,
+                                                .uniform = generators()[k].make(12345),
+                                                .r_bins = 1,
+                                                .z_bins = 1})
+                       .diffuse_transmittance;
+    });
+    std::vector<std::function<double()>> runs;
+    for (const Generator& generator : generators())
+        runs.emplace_back([&generator] { return nanoseconds_each(generator); });
+    const std::vector<Spread> speeds = interleaved(runs, run.rounds());
+    for (std::size_t k = 0; k < found.size(); ++k)
+        plot.points.push_back({std::string(generators()[k].name),
+                               fmt::format("{} photons", photons),
+                               speeds[k],
+                               exactly(std::abs(found[k].mean - right) / found[k].error),
+                               false,
+                               {{"relative_bias", found[k].mean / right - 1}}});
+    return plot;
+}
+
+}  // namespace gonio

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// The list of sections, and how they measure.
+#include "timings/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace gonio {
+
+Device BenchRun::at_width(unsigned width) const
+{
+    return Device(fmt::format("{}:{}", device.info().platform, device.info().device), width);
+}
+
+std::vector<Spread> interleaved(const std::vector<std::function<double()>>& runs, int rounds)
+{
+    std::vector<std::vector<double>> seconds(runs.size());
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t k = 0; k < runs.size(); ++k) seconds[k].push_back(runs[k]());
+    std::vector<Spread> spreads;
+    for (std::vector<double>& all : seconds) spreads.push_back(spread_of(std::move(all)));
+    return spreads;
+}
+
+void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds)
+{
+    std::vector<std::function<double()>> runs;
+    for (const Candidate& candidate : candidates) runs.push_back(candidate.run);
+    const std::vector<Spread> times = interleaved(runs, rounds);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        plot.points.push_back(std::move(candidates[k].point));
+        plot.points.back().x = times[k];
+    }
+}
+
+double seconds_on_the_wall(const std::function<void()>& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+const std::vector<BenchSection>& bench_sections()
+{
+    static const std::vector<BenchSection> all{
+        {"models", "every model on a dense grid: error against time", bench_models},
+        {"lookup", "evaluation against tables: error against time", bench_lookup},
+        {"lookup-sharp", "the same of a sharp lobe", bench_lookup_sharp},
+        {"lookup-diffuse", "the same of a diffuse lobe", bench_lookup_diffuse},
+        {"split-sum", "quadrature against sampling: error against time", bench_split_sum},
+        {"photons", "photons and adding-doubling: error against time", bench_photons},
+        {"time-to-error", "seconds to an asked error", bench_time_to_error},
+        {"generators", "random numbers: speed and bias", bench_generators},
+        {"choices", "vector width, roulette, absorption: what they gain", bench_photon_choices},
+        {"scaling", "over compute units", bench_scaling},
+        {"tiles", "over sizes of tiles", bench_tiles},
+        {"start", "building programs and first launches", bench_start},
+    };
+    return all;
+}
+
+}  // namespace gonio
