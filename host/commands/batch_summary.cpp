@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
 
 #include "compute/make_table.hpp"
 #include "opencl/store_rate.hpp"
@@ -14,6 +15,7 @@
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
 #include "skin/profile_table.hpp"
+#include "skin/skin_sets.hpp"
 #include "skin/skin_table.hpp"
 
 namespace gonio {
@@ -66,8 +68,9 @@ std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device,
 {
     Advance advance(progress, job);
     const LightTable made = make_light_table(device, job, [&](const LightProgress& now) {
-        progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
-                                   now.photons_per_second, now.error));
+        if (now.photons_per_second > 0)
+            progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
+                                       now.photons_per_second, now.error));
         advance(now.fraction);
     });
     const auto how = made.photons == 0 ? std::string("without noise")
@@ -97,8 +100,15 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
             return run;
         }
         if (job.skin) {
-            auto run = make_skin_table(job, &throw_if_interrupted);
-            progress.advance(static_cast<double>(job.header.cells()));
+            Advance advance(progress, job);
+            const auto all =
+                static_cast<double>(sets_of(*job.skin).size() * job.skin->wavelengths.size());
+            double done = 0;
+            std::mutex guard;
+            auto run = make_skin_table(job, [&] {
+                const std::scoped_lock lock(guard);
+                advance(++done / all);
+            });
             of_layers +=
                 fmt::format("{}: {} of skin, without noise, error {:.1e}, {}\n", job.name,
                             job.header.quantity, run.at("error").get<double>(), job.path.string());

@@ -7,6 +7,9 @@
 #include "commands/commands.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/scene.hpp"
+#include "picture/picture_material.hpp"
+#include "plan/interrupt.hpp"
+#include "plan/progress.hpp"
 
 namespace gonio {
 namespace {
@@ -41,22 +44,61 @@ std::vector<std::filesystem::path> files_of(const PictureOptions& options, const
     return files;
 }
 
+/// What there is to make.
+struct Task {
+    std::string scene;
+    PictureRequest picture;
+    std::vector<SceneMaterial> materials;
+    double work = 0;
+};
+
+std::vector<Task> tasks_of(const PictureOptions& options)
+{
+    std::vector<Task> tasks;
+    for (const std::string& name : options.scenes) {
+        const Scene scene = load_scene(name);
+        const PictureRequest picture = request_of(scene, name, options.size);
+        tasks.push_back({name, picture, scene.materials, work_of(picture, scene.materials)});
+    }
+    return tasks;
+}
+
+/// With a line of progress; heeds Ctrl-C.
+Table make_one(const Device& device, const Task& task, Progress& progress)
+{
+    double told = 0;
+    std::string label;
+    const auto after_each = [&](std::string_view doing, double amount) {
+        throw_if_interrupted();
+        if (label != doing) progress.begin(fmt::format("{}: {}", task.scene, label = doing));
+        progress.advance(amount);
+        told += amount;
+    };
+    Table picture = make_picture(device, task.picture, task.materials, after_each);
+    progress.advance(task.work - told);  // what no ray has met is not done
+    return picture;
+}
+
 void make(const PictureOptions& options)
 {
     if (!options.files.empty() && options.scenes.size() > 1)
         throw UsageError("-o is for one scene; allowed for several is --sheet");
     for (const std::string& file : options.files) check_picture_name(file);
-    std::vector<PictureCard> cards;
+    const std::vector<Task> tasks = tasks_of(options);
     const Device device = options.device.open();
-    for (const std::string& name : options.scenes) {
-        const Scene scene = load_scene(name);
-        const PictureRequest request = request_of(scene, name, options.size);
-        const Table picture = make_picture(device, request, scene.materials);
-        for (const auto& file : files_of(options, name)) {
-            write_picture(file, picture, request.exposure);
+    catch_interrupts();
+    double work = 0;
+    for (const Task& task : tasks) work += task.work;
+    Progress progress(work);
+    std::vector<PictureCard> cards;
+    for (const Task& task : tasks) {
+        const Table picture = make_one(device, task, progress);
+        for (const auto& file : files_of(options, task.scene)) {
+            write_picture(file, picture, task.picture.exposure);
             fmt::print("{}\n", file.string());
         }
-        if (!options.sheet.empty()) cards.push_back({picture, request.exposure, request.title});
+        if (!options.sheet.empty())
+            cards.push_back({picture, task.picture.exposure, task.picture.title});
     }
     if (options.sheet.empty()) return;
     write_picture_sheet(options.sheet, cards);

@@ -102,8 +102,10 @@ std::vector<std::uint64_t> PhotonKernel::take_sums()
 
 void PhotonKernel::clear()
 {
-    device_.state().queue.enqueueFillBuffer(tallies_, cl_ulong{0}, 0,
-                                            tallies_.getInfo<CL_MEM_SIZE>());
+    // Not enqueueFillBuffer(), which Oclgrind 21.10 does not take for an initialisation.
+    const std::vector<cl_ulong> zeros(tallies_.getInfo<CL_MEM_SIZE>() / sizeof(cl_ulong));
+    device_.state().queue.enqueueWriteBuffer(tallies_, CL_TRUE, 0, zeros.size() * sizeof(cl_ulong),
+                                             zeros.data());
 }
 
 }  // namespace gonio

@@ -60,16 +60,17 @@ ExactValues directional_albedo(const LightJob& light, const Axis& cosines)
     return result;
 }
 
-ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes)
+ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes,
+                 const std::function<void()>& after_each)
 {
     const auto radians = [](const Axis& axis, double zero) {
         std::vector<double> angles;
         for (const double degrees : axis.values) angles.push_back((degrees - zero) * pi / 180);
         return angles;
     };
-    const auto brdf =
-        reference::layered_brdf_to(light.medium, radians(axes[0], 0), radians(axes[1], 0),
-                                   radians(axes[2], 180), tolerance(light, brdf_tolerance));
+    const auto brdf = reference::layered_brdf_to(light.medium, radians(axes[0], 0),
+                                                 radians(axes[1], 0), radians(axes[2], 180),
+                                                 tolerance(light, brdf_tolerance), after_each);
     ExactValues result{{}, brdf.nodes};
     // Where next to nothing is scattered the sum over modes may fall below 0 within its error.
     for (const double value : brdf.values)
@@ -155,10 +156,11 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha)
 
 }  // namespace
 
-ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes)
+ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes,
+                         const std::function<void()>& after_each)
 {
     const std::string_view id = light.quantity->id;
-    if (id == "brdf") return brdf(light, axes);
+    if (id == "brdf") return brdf(light, axes, after_each);
     if (id == "directional_albedo") return directional_albedo(light, axes.front());
     if (id == "mean_albedo") return mean_albedo(light);
     if (id == "mean_path") return mean_paths(light);

@@ -2,6 +2,7 @@
 // Quantities of layers by adding-doubling, without noise.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "gonio/job.hpp"
@@ -15,8 +16,10 @@ struct ExactValues {
 };
 
 /// Of a job's layers, over the axes of its table. Throws RunError where the max_error is out of
-/// reach.
-ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes);
+/// reach. `after_each` is called after each part of a BRDF; what it throws ends the work.
+ExactValues exact_values(
+    const LightJob& light, const std::vector<Axis>& axes,
+    const std::function<void()>& after_each = [] {});
 
 /// A number for each part of a budget, in the order of the channels of light_budget.
 template <class Budget>

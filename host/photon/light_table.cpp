@@ -41,7 +41,8 @@ LightTable make_light_table(const Device& device, const Job& job,
             forget_simulation(job);
             return simulated.table;
         }
-        const ExactValues exact = exact_values(*job.layers, job.header.axes);
+        const ExactValues exact =
+            exact_values(*job.layers, job.header.axes, [&] { after_launch({}); });
         write(job, exact.values);
         const double error = largest_error(exact.values);
         return {0, 0, error, {{"nodes", exact.nodes}, {"error_of_largest_value", error}}};

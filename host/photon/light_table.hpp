@@ -27,7 +27,8 @@ struct LightTable {
 };
 
 /// Writes the table to job.path; nothing is visible there unless it is complete. after_launch may
-/// throw. Throws RunError where the budget ended before a max_error that must be reached.
+/// throw; without photons it is told nothing but that time has passed. Throws RunError where the
+/// budget ended before a max_error that must be reached.
 LightTable make_light_table(const Device& device, const Job& job,
                             const std::function<void(const LightProgress&)>& after_launch);
 

@@ -2,7 +2,9 @@
 // Directions, distances and shadows of lights.
 #include "picture/lights.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 
 namespace gonio {
@@ -33,6 +35,21 @@ std::optional<Source> source(const UniformLight&, glm::dvec3)
     return std::nullopt;
 }
 
+glm::dvec3 colour(const DirectionalLight& light)
+{
+    return light.irradiance;
+}
+
+glm::dvec3 colour(const PointLight& light)
+{
+    return light.intensity;
+}
+
+glm::dvec3 colour(const UniformLight& light)
+{
+    return light.radiance;
+}
+
 }  // namespace
 
 std::optional<Arrival> arrival(const PictureLight& light, const Hit& hit, const Geometry& geometry)
@@ -43,6 +60,23 @@ std::optional<Arrival> arrival(const PictureLight& light, const Hit& hit, const 
         geometry.hides(hit, found->arrival.towards, found->distance))
         return std::nullopt;
     return found->arrival;
+}
+
+glm::dvec3 uniform_radiance(const std::vector<PictureLight>& lights)
+{
+    glm::dvec3 sum(0);
+    for (const PictureLight& light : lights)
+        if (const auto* uniform = std::get_if<UniformLight>(&light)) sum += uniform->radiance;
+    return sum;
+}
+
+std::vector<PictureLight> shining(const std::vector<PictureLight>& lights)
+{
+    std::vector<PictureLight> bright;
+    std::ranges::copy_if(lights, std::back_inserter(bright), [](const PictureLight& light) {
+        return std::visit([](const auto& kind) { return colour(kind) != glm::dvec3(0); }, light);
+    });
+    return bright;
 }
 
 }  // namespace gonio

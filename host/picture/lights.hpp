@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 #include <optional>
+#include <vector>
 
 #include "gonio/picture.hpp"
 #include "picture/samples.hpp"
@@ -18,5 +19,11 @@ struct Arrival {
 
 /// Nothing where the surface faces away from the light or a mesh hides it, and of a uniform light.
 std::optional<Arrival> arrival(const PictureLight& light, const Hit& hit, const Geometry& geometry);
+
+/// Of all uniform lights together.
+glm::dvec3 uniform_radiance(const std::vector<PictureLight>& lights);
+
+/// Those that are not black.
+std::vector<PictureLight> shining(const std::vector<PictureLight>& lights);
 
 }  // namespace gonio

@@ -2,16 +2,17 @@
 // Makes a picture band by band: rays, then each material at what they met.
 #include "gonio/picture.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
 
-#include "gonio/errors.hpp"
 #include "gonio/scene.hpp"
-#include "picture/skin_layers.hpp"
+#include "picture/lights.hpp"
+#include "picture/lit_layers.hpp"
+#include "picture/picture_material.hpp"
 #include "picture/surface.hpp"
+#include "picture/work.hpp"
 #include "scene/located.hpp"
 #include "version.hpp"
 
@@ -31,20 +32,6 @@ std::vector<Mesh> read_meshes(const PictureRequest& picture)
             position = glm::vec3(request.scale * dvec3(position) + request.translate);
     }
     return meshes;
-}
-
-/// What of a material reflects at once.
-Material surface_of(const SceneMaterial& material)
-{
-    const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of);
-    const auto* skin = std::get_if<Skin>(&material.made_of);
-    if ((!lobes && !skin) || !material.sweeps.empty())
-        throw UsageError(
-            fmt::format("{}material `{}` cannot be in a picture, which takes models, "
-                        "sums of lobes and skin, without sweeps",
-                        material.where, material.name));
-    if (lobes) return {material.name, *lobes, material.ambient};
-    return {material.name, {material.surface ? *material.surface : skin_surface(*skin)}, {}};
 }
 
 TableHeader header_of(const PictureRequest& picture)
@@ -79,43 +66,64 @@ std::map<std::size_t, std::vector<Sample>> by_material(const PictureRequest& pic
     return groups;
 }
 
+/// A material where rays have met it.
+struct Drawn {
+    Drawn(const Device& device, const PictureRequest& picture, const PictureMaterial& material,
+          PictureWork& work)
+        : surface(device, picture, material.surface)
+    {
+        if (!material.bands.empty()) layers.emplace(device, picture, material, work);
+    }
+
+    Surface surface;
+    std::optional<LitLayers> layers;
+};
+
+Table table_of(const PictureRequest& picture, const std::vector<dvec3>& image)
+{
+    Table table{header_of(picture), std::vector<std::vector<double>>(3)};
+    for (const dvec3& pixel : image)
+        for (int c = 0; c < 3; ++c) table.values[static_cast<std::size_t>(c)].push_back(pixel[c]);
+    return table;
+}
+
 }  // namespace
 
-Table make_picture(const Device& device, const PictureRequest& picture,
-                   const std::vector<SceneMaterial>& materials)
+Table make_picture(const Device& device, const PictureRequest& asked,
+                   const std::vector<SceneMaterial>& materials, const PictureProgress& after_each)
 {
+    PictureRequest picture = asked;
+    picture.lights = shining(asked.lights);
+    std::map<std::size_t, PictureMaterial> shown;
+    for (const PictureMesh& mesh : picture.meshes)
+        shown.try_emplace(mesh.material,
+                          picture_material(materials[mesh.material], !picture.lights.empty()));
     const Geometry geometry(read_meshes(picture));
     const Rays rays(picture);
-    std::map<std::size_t, Surface> surfaces;
-    std::map<std::size_t, SkinLayers> layers;
-    for (const PictureMesh& mesh : picture.meshes) {
-        const std::size_t which = mesh.material;
-        if (surfaces.contains(which)) continue;
-        const Material surface = surface_of(materials[which]);
-        surfaces.try_emplace(which, device, picture, surface);
-        if (const auto* skin = std::get_if<Skin>(&materials[which].made_of))
-            layers.try_emplace(which, device, picture, *skin, surface);
-    }
+    PictureWork work(after_each);
+    std::map<std::size_t, Drawn> drawn;
 
     const std::size_t each = picture.samples * picture.samples;
     const std::size_t band = std::max<std::size_t>(1, band_samples / (picture.width * each));
     std::vector<dvec3> image(picture.width * picture.height, picture.background);
     for (std::size_t first = 0; first < picture.height; first += band) {
-        const std::vector<Sample> samples =
-            rays.meet(geometry, first, std::min(band, picture.height - first));
+        const std::size_t rows = std::min(band, picture.height - first);
+        const std::vector<Sample> samples = rays.meet(geometry, first, rows);
         for (const auto& [which, group] : by_material(picture, samples)) {
-            const auto radiance = surfaces.at(which).radiance(geometry, group);
+            Drawn& material =
+                drawn.try_emplace(which, device, picture, shown.at(which), work).first->second;
+            const auto radiance = material.surface.radiance(geometry, group);
             for (std::size_t k = 0; k < group.size(); ++k)
                 image[group[k].pixel] +=
                     (radiance[k] - picture.background) / static_cast<double>(each);
-            if (layers.contains(which)) layers.at(which).enter(geometry, group);
+            if (material.layers) material.layers->enter(geometry, group);
         }
+        work.begin("rays");
+        work.advance(static_cast<double>(rows * picture.width * each));
     }
-    for (const auto& [which, skin] : layers) skin.leave(image);
-    Table table{header_of(picture), std::vector<std::vector<double>>(3)};
-    for (const dvec3& pixel : image)
-        for (int c = 0; c < 3; ++c) table.values[static_cast<std::size_t>(c)].push_back(pixel[c]);
-    return table;
+    for (const auto& [which, material] : drawn)
+        if (material.layers) material.layers->leave(image, work);
+    return table_of(picture, image);
 }
 
 }  // namespace gonio

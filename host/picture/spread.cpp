@@ -73,7 +73,8 @@ std::vector<float> places_of(const EnteringLight& entering)
 }  // namespace
 
 std::vector<dvec3> spread_light(const Device& device, const EnteringLight& entering,
-                                const SumOfGaussians& profile)
+                                const SumOfGaussians& profile,
+                                const std::function<void(double part)>& after_each)
 {
     std::vector<dvec3> result(entering.area.size());
     const double side = pixel_side(entering);
@@ -99,6 +100,7 @@ std::vector<dvec3> spread_light(const Device& device, const EnteringLight& enter
             for (std::size_t k = 0; k < plane; ++k)
                 result[k][c] += weight * static_cast<double>(light[channel * plane + k]);
         }
+        after_each(1 / static_cast<double>(profile.variances.size()));
     }
     return result;
 }

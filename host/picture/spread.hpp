@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -24,7 +25,10 @@ struct EnteringLight {
 /// and the sum of these by its weights, which are scaled to add up to 1. Even light stays as it is.
 /// Surface that the picture does not show gives no light. Wide Gaussians see blocks of pixels whose
 /// sides are up to half a standard deviation long.
-std::vector<glm::dvec3> spread_light(const Device& device, const EnteringLight& entering,
-                                     const SumOfGaussians& profile);
+/// `after_each` is called after each Gaussian with the part that it was; what it throws ends the
+/// work.
+std::vector<glm::dvec3> spread_light(
+    const Device& device, const EnteringLight& entering, const SumOfGaussians& profile,
+    const std::function<void(double part)>& after_each = [](double) {});
 
 }  // namespace gonio

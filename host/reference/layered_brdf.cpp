@@ -20,7 +20,7 @@ using Eigen::Index;
 
 LayeredBrdf sum_modes(const LayeredMedium& medium, const std::vector<double>& theta_i,
                       const std::vector<double>& theta_o, const std::vector<double>& delta_phi,
-                      int nodes)
+                      int nodes, const std::function<void()>& after_mode)
 {
     constexpr double negligible = 1e-10;  // of the azimuthal mean's largest
     ExactDirections exact;
@@ -50,6 +50,7 @@ LayeredBrdf sum_modes(const LayeredMedium& medium, const std::vector<double>& th
         largest = mode.cwiseAbs().maxCoeff();
         mean = std::max(mean, largest);
         ++brdf.modes;
+        after_mode();
     } while (largest > negligible * mean);
     const SingleScattering once(medium, directions);
     auto value = brdf.values.begin();
@@ -74,22 +75,24 @@ LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>&
                          int nodes)
 {
     validate(medium);
-    LayeredBrdf brdf = sum_modes(medium, theta_i, theta_o, delta_phi, nodes);
-    compare(brdf, sum_modes(medium, theta_i, theta_o, delta_phi, coarser(nodes)));
+    LayeredBrdf brdf = sum_modes(medium, theta_i, theta_o, delta_phi, nodes, [] {});
+    compare(brdf, sum_modes(medium, theta_i, theta_o, delta_phi, coarser(nodes), [] {}));
     return brdf;
 }
 
 LayeredBrdf layered_brdf_to(const LayeredMedium& medium, const std::vector<double>& theta_i,
                             const std::vector<double>& theta_o,
-                            const std::vector<double>& delta_phi, double tolerance)
+                            const std::vector<double>& delta_phi, double tolerance,
+                            const std::function<void()>& after_mode)
 {
     constexpr double first = 24, most = 256;
     validate(medium);
-    LayeredBrdf coarse = sum_modes(medium, theta_i, theta_o, delta_phi, coarser(int(first)));
+    LayeredBrdf coarse =
+        sum_modes(medium, theta_i, theta_o, delta_phi, coarser(int(first)), after_mode);
     double reached = 0;
     for (double nodes = first; nodes <= most; nodes *= std::numbers::sqrt2) {
-        LayeredBrdf brdf =
-            sum_modes(medium, theta_i, theta_o, delta_phi, static_cast<int>(std::lround(nodes)));
+        LayeredBrdf brdf = sum_modes(medium, theta_i, theta_o, delta_phi,
+                                     static_cast<int>(std::lround(nodes)), after_mode);
         compare(brdf, coarse);
         reached = brdf.error / std::ranges::max(brdf.values);
         if (reached <= tolerance) return brdf;

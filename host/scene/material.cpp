@@ -41,7 +41,7 @@ std::vector<Lobe> read_components(const Section& material, std::vector<Sweep>& s
     return lobes;
 }
 
-/// Of skin: one lobe.
+/// Of layers: one lobe.
 Lobe read_surface(const Value& value)
 {
     const Section section(value);
@@ -49,7 +49,7 @@ Lobe read_surface(const Value& value)
     std::vector<Sweep> sweeps;
     Lobe lobe = read_lobe(section, 0, sweeps);
     if (!sweeps.empty())
-        throw UsageError(sweeps.front().where + "the surface of skin has no sweeps");
+        throw UsageError(sweeps.front().where + "the surface of layers has no sweeps");
     return lobe;
 }
 
@@ -131,7 +131,8 @@ SceneMaterial read_material(const Value& value)
         section.allow({"name", "diffuse", "specular", "ambient"});
         material.made_of = read_components(section, material.sweeps);
     } else if (kind == "layers") {
-        section.allow({"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo"});
+        section.allow(
+            {"name", "layers", "n_above", "n_below", "bottom", "bottom_albedo", "surface"});
         material.made_of = read_layers(section, material.sweeps);
     } else {
         section.allow({"name", "skin", "parameters", "wavelength", "surface"});
@@ -139,8 +140,8 @@ SceneMaterial read_material(const Value& value)
             material.made_of = read_skin_layers(section);
         else
             material.made_of = read_skin(section, material.sweeps);
-        if (const auto surface = section.find("surface")) material.surface = read_surface(*surface);
     }
+    if (const auto surface = section.find("surface")) material.surface = read_surface(*surface);
     if (const auto* lobes = std::get_if<std::vector<Lobe>>(&material.made_of)) {
         const auto channels = located(material.where, [&] {
             return Material{material.name, *lobes}.channels();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// R(r) of skin: photons at each wavelength, added up by the observer's linear weights.
+// R(r) of skin: photons in each band, added up by their colours.
 #include "gonio/profile.hpp"
 
 #include <cmath>
@@ -18,14 +18,6 @@ std::vector<double> sampled_wavelengths()
     return all;
 }
 
-/// What reflectance 1 at one of the wavelengths, 0 at its neighbours, adds to R, G and B.
-glm::dvec3 weight_of(const std::vector<double>& wavelengths, std::size_t which)
-{
-    std::vector<double> peak(wavelengths.size());
-    peak[which] = 1;
-    return linear_srgb(tristimulus(wavelengths, peak));
-}
-
 /// The errors are variances until the end.
 void add(Fraction& sum, const Fraction& part, double weight)
 {
@@ -35,10 +27,23 @@ void add(Fraction& sum, const Fraction& part, double weight)
 
 }  // namespace
 
-RadialProfile trace_profile(const Device& device, const Skin& skin, const ProfileRequest& request,
-                            const std::function<void(double part_done)>& after_each)
+std::vector<ColourBand> bands_of(const Skin& skin)
 {
     const auto wavelengths = sampled_wavelengths();
+    std::vector<ColourBand> bands;
+    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
+        std::vector<double> peak(wavelengths.size());
+        peak[k] = 1;
+        bands.push_back(
+            {skin.layers_at(wavelengths[k]), linear_srgb(tristimulus(wavelengths, peak))});
+    }
+    return bands;
+}
+
+RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>& bands,
+                            const ProfileRequest& request,
+                            const std::function<void(double part_done)>& after_each)
+{
     RadialProfile profile{.width = request.width};
     for (auto& channel : profile.rings) channel.resize(request.rings);
     PhotonRequest photons{.seed = request.seed, .batch = batch_of(request.photons)};
@@ -46,22 +51,21 @@ RadialProfile trace_profile(const Device& device, const Skin& skin, const Profil
     photons.tallies.rows = request.rings;
     photons.tallies.radius_width = request.width;
     double done = 0;
-    const double all = static_cast<double>(request.photons * wavelengths.size());
-    for (std::size_t k = 0; k < wavelengths.size(); ++k) {
-        // Wavelengths have photons of their own, so that their noise is independent.
+    const double all = static_cast<double>(request.photons * bands.size());
+    for (std::size_t k = 0; k < bands.size(); ++k) {
+        // Bands have photons of their own, so that their noise is independent.
         photons.first = std::uint64_t{k} << 48;
-        PhotonTracer tracer(device, skin.layers_at(wavelengths[k]), photons);
+        PhotonTracer tracer(device, bands[k].layers, photons);
         tracer.trace(request.photons, [&](std::uint64_t count) {
             done += static_cast<double>(count);
             after_each(done / all);
         });
         const PhotonResult found = tracer.result();
-        const glm::dvec3 weight = weight_of(wavelengths, k);
         for (int c = 0; c < 3; ++c) {
             const auto channel = static_cast<std::size_t>(c);
-            add(profile.total[channel], found.diffuse_reflectance, weight[c]);
+            add(profile.total[channel], found.diffuse_reflectance, bands[k].colour[c]);
             for (std::size_t ring = 0; ring < request.rings; ++ring)
-                add(profile.rings[channel][ring], found.reflected[ring], weight[c]);
+                add(profile.rings[channel][ring], found.reflected[ring], bands[k].colour[c]);
         }
     }
     for (auto& total : profile.total) total.error = std::sqrt(total.error);

@@ -82,9 +82,10 @@ nlohmann::ordered_json make_profile_table(const Device& device, const Job& job,
         Table table{job.header, std::vector<std::vector<double>>(job.header.channels.size())};
         nlohmann::ordered_json fits = nlohmann::ordered_json::array();
         for (std::size_t k = 0; k < sets.size(); ++k) {
-            const auto profile = trace_profile(device, sets[k], *job.profile, [&](double part) {
-                after_each((static_cast<double>(k) + part) / static_cast<double>(sets.size()));
-            });
+            const auto profile =
+                trace_profile(device, bands_of(sets[k]), *job.profile, [&](double part) {
+                    after_each((static_cast<double>(k) + part) / static_cast<double>(sets.size()));
+                });
             const auto gaussians = fit_gaussians(profile);
             fits.push_back(fits_of(gaussians, profile));
             if (job.header.quantity == "profile_rgb")

@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -58,13 +60,17 @@ struct PictureRequest {
     std::size_t samples = 2;  ///< along each side of a pixel
     glm::dvec3 background{0};
     double metres_per_unit = 1;       ///< of all lengths: light spreads in skin by millimetres
-    std::uint64_t photons = 100'000;  ///< at each wavelength, for how far it spreads
+    std::uint64_t photons = 100'000;  ///< in each band of light, for how far it spreads
     std::optional<double> exposure;   ///< of .png; set by the picture's bright parts if not given
     Camera camera;
     std::vector<PictureMesh> meshes;
     std::vector<PictureLight> lights;
     std::string where;
 };
+
+/// Called when something begins, with 0, and after each part of it, with how much that was; never
+/// by two threads at once.
+using PictureProgress = std::function<void(std::string_view doing, double amount)>;
 
 /// Radiance, linear sRGB: axes y from the top and x, channels R, G, B. What a light at l adds is
 /// f(l, v) cos theta_i times its irradiance, where no mesh stands between; a material's `ambient`
@@ -75,13 +81,17 @@ struct PictureRequest {
 /// Tracing Gems II, 2021, ch. 4), and a normal that turns from the viewer is bent back. The same
 /// bytes at every vector width and number of threads.
 ///
-/// Skin reflects by its `surface`, and what enters its layers leaves them as
-/// rho(mu_i) rho(mu_o)/(pi mean) tells (picture/skin_reflectance.hpp), spread over the surface that
-/// the picture shows by six Gaussians fitted to photons of a beam along the normal. Throws
-/// UsageError for a mesh that cannot be read, with file and line, and for a material that is
-/// neither a surface nor skin.
-Table make_picture(const Device& device, const PictureRequest& picture,
-                   const std::vector<SceneMaterial>& materials);
+/// Skin, and other layers, reflect by their surface, and what enters the layers leaves them as
+/// rho(mu_i) rho(mu_o)/(pi mean) tells (picture/layer_reflectance.hpp), spread over the surface
+/// that the picture shows by six Gaussians fitted to photons of a beam along the normal. Layers
+/// given by their coefficients are grey. What the picture does not need is neither compiled nor
+/// computed: materials that no ray meets, black lights, lobes of weight 0. Throws UsageError for a
+/// mesh that cannot be read, with file and line, and for a material with sweeps, and what
+/// `after_each` throws, which ends the work.
+Table make_picture(
+    const Device& device, const PictureRequest& picture,
+    const std::vector<SceneMaterial>& materials,
+    const PictureProgress& after_each = [](std::string_view, double) {});
 
 /// A picture with what is said below it.
 struct PictureCard {

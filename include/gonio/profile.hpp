@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "gonio/device.hpp"
@@ -14,7 +15,7 @@
 
 namespace gonio {
 
-/// The light of a thin white beam (D65) along the normal that skin returns, without what its
+/// The light of a thin white beam along the normal that skin returns, without what its
 /// surface reflects, in linear sRGB for the CIE 1931 observer. Red light that spreads farthest is
 /// outside what sRGB can show: green and blue are a little below 0 there.
 struct RadialProfile {
@@ -26,14 +27,24 @@ struct RadialProfile {
 struct ProfileRequest {
     double width = 0.002;  ///< of a ring, cm
     std::size_t rings = 500;
-    std::uint64_t photons = 100'000;  ///< at each wavelength
+    std::uint64_t photons = 100'000;  ///< in each band
     std::uint64_t seed = 1;
 };
 
-/// Follows photons at every 20 nm from 380 to 780. `after_each` is called after each launch; what
-/// it throws ends the work. Throws as Skin::layers_at() and PhotonTracer do.
+/// Layers as a part of the spectrum sees them, and the linear sRGB of its light.
+struct ColourBand {
+    LayeredMedium layers;
+    glm::dvec3 colour{1};
+};
+
+/// Skin at every 20 nm from 380 to 780: what reflectance 1 at one of these wavelengths, 0 at its
+/// neighbours, is to the CIE 1931 observer in D65. Throws as Skin::layers_at().
+std::vector<ColourBand> bands_of(const Skin& skin);
+
+/// Follows photons in each band. `after_each` is called after each launch; what it throws ends the
+/// work. Throws as PhotonTracer does.
 RadialProfile trace_profile(
-    const Device& device, const Skin& skin, const ProfileRequest& request,
+    const Device& device, const std::vector<ColourBand>& bands, const ProfileRequest& request,
     const std::function<void(double part_done)>& after_each = [](double) {});
 
 /// R(r) = sum of w exp(-r^2/(2 v))/(2 pi v), per mm^2 (d'Eon & Luebke, GPU Gems 3, chapter 14,

@@ -42,7 +42,7 @@ struct SceneMaterial {
     std::vector<Sweep> sweeps;  ///< those that are axes come from the outermost
     Where where;
     std::vector<double> ambient = {};  ///< as in Material
-    std::optional<Lobe> surface = {};  ///< of skin in pictures, in place of skin_surface()
+    std::optional<Lobe> surface = {};  ///< of layers and skin in pictures
 };
 
 /// How exact, how long or how many: what is not set is not limited.

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """picture_test.py GONIO: what a user sees of `gonio picture`."""
 
+import os
 import pathlib
+import pty
+import signal
 import struct
 import subprocess
 import sys
@@ -74,6 +77,47 @@ class Picture(unittest.TestCase):
         self.assertGreater(width, 2 * 32)
         self.assertGreater(height, 16)
         self.assertIn("--sheet", self.gonio("scene.toml", "scene.toml", "-o", "a.png", code=2))
+
+    def interrupted_at(self, step, *words):
+        """Ctrl-C as soon as the line of progress tells of a step; returns that line."""
+        master, slave = pty.openpty()
+        run = subprocess.Popen([GONIO, "picture", *words], cwd=self.at, stderr=slave,
+                               stdout=subprocess.DEVNULL)
+        os.close(slave)
+        told = ""
+        while step not in told:
+            told += os.read(master, 4096).decode()
+        run.send_signal(signal.SIGINT)
+        self.assertEqual(run.wait(), 130, told)
+        os.close(master)
+        return told
+
+    def test_ctrl_c_leaves_what_is_finished_and_no_half_file(self):
+        self.scene()
+        layers = SCENE.replace('model = "lambert"', "layers = [{{ mua = 1, mus = 100 }}]").format(
+            mesh="a.obj", material="grey", kind="directional")
+        many = layers.replace("width = 32", "width = 32\nphotons = 1000000000")
+        (self.at / "many.toml").write_text(many)
+        (self.at / "large.toml").write_text(
+            layers.replace("width = 32", "width = 8000\nsamples = 16\nphotons = 1000"))
+        told = self.interrupted_at("many.toml: photons", "scene.toml", "many.toml")
+        self.assertRegex(told, r" \d+ %, .* left")
+        self.assertEqual([path.name for path in self.at.glob("*.png")], ["scene.png"])
+        self.interrupted_at("large.toml: rays", "scene.toml", "large.toml", "--sheet", "two.png")
+        self.interrupted_at("large.toml: rays", "large.toml", "-o", "a.exr", "-o", "a.png")
+        names = {"a.obj", "scene.toml", "many.toml", "large.toml", "scene.png"}
+        self.assertEqual({path.name for path in self.at.iterdir()}, names)
+
+    def test_layers_are_grey(self):
+        (self.at / "layers.toml").write_text(
+            SCENE.replace('model = "lambert"', "layers = [{{ mua = 1, mus = 100 }}]").format(
+                mesh="a.obj", material="grey", kind="directional"))
+        self.gonio("layers.toml", "-o", "a.png")
+        swept = (self.at / "layers.toml").read_text().replace(
+            "mua = 1", "mua = {{ values = [1, 2] }}".format())
+        (self.at / "swept.toml").write_text(swept)
+        self.assertIn("swept.toml:2:1: material `grey` has sweeps; a picture shows one value",
+                      self.gonio("swept.toml", code=2))
 
     def test_a_scene_without_a_picture(self):
         (self.at / "none.toml").write_text("[[material]]\nname = 'a'\nmodel = 'lambert'\n"

@@ -23,6 +23,10 @@ grep -q "PASSED.* [1-9][0-9]* test" "$scratch/out"
 run --uninitialized "$1" --gtest_filter='SmallSimulations.*'
 grep -q "PASSED.* [1-9][0-9]* test" "$scratch/out"
 
+# Light that spreads in pictures.
+run --uninitialized --data-races "$1" --gtest_filter='Spread.EvenLight*'
+grep -q "PASSED.* [1-9][0-9]* test" "$scratch/out"
+
 models=$("$2" models --json | sed -n 's/^ *"id": "\(.*\)",$/\1/p')
 for model in ${models:?}; do
     run --uninitialized "$2" eval "$model" --at - <<<$'30,0,40,180\n0,0,0,0\n90,0,80,10'

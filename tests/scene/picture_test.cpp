@@ -50,7 +50,7 @@ TEST(SceneOfAPicture, IsCheckedBefore)
     EXPECT_EQ(refusal("[[material]]\nname = \"grey\"\nskin = \"pyxopto\"\nsurface = { model = "
                       "\"ggx\", parameters = { alpha = @{ values = [0.1, 0.2] } } }\n[picture]\n" +
                       camera + mesh),
-              "the surface of skin has no sweeps");
+              "the surface of layers has no sweeps");
 }
 
 }  // namespace

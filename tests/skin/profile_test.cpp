@@ -103,7 +103,7 @@ TEST(SkinProfile, AllItsLightIsWhatTheExactSolverReturns)
 {
     const Skin skin(find_skin_model("jacques_1998"));
     const auto profile =
-        trace_profile(Device(), skin, {.width = 0.02, .rings = 50, .photons = 1 << 14});
+        trace_profile(Device(), bands_of(skin), {.width = 0.02, .rings = 50, .photons = 1 << 14});
     std::vector<double> wavelengths;
     for (int at = 380; at <= 780; at += 20) wavelengths.push_back(at);
     const auto exact = solve_skin({skin}, wavelengths, {}, 1e-5)[0];

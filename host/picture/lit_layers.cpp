@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Irradiance times what the layers return of it, averaged over the samples of each pixel.
-#include "picture/skin_layers.hpp"
+#include "picture/lit_layers.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
@@ -19,14 +21,34 @@ using std::numbers::pi;
 
 constexpr double least_cosine = 0.05;  // of a pixel's surface to the viewer, for its area
 
+LayerReflectance solve(const Device& device, const PictureMaterial& material, PictureWork& work)
+{
+    work.begin("layers by angle");
+    return {device, material.bands, material.surface, [&] { work.advance(work_of_band); }};
+}
+
+SumOfGaussians trace(const Device& device, const PictureMaterial& material, std::uint64_t photons,
+                     PictureWork& work)
+{
+    work.begin("photons");
+    const double all = work_of_photon * static_cast<double>(photons * material.bands.size());
+    double told = 0;
+    const auto profile =
+        trace_profile(device, material.bands, {.photons = photons}, [&](double part) {
+            work.advance((part - told) * all);
+            told = part;
+        });
+    return fit_gaussians(profile).function;
+}
+
 }  // namespace
 
-SkinLayers::SkinLayers(const Device& device, const PictureRequest& picture, const Skin& skin,
-                       const Material& surface)
+LitLayers::LitLayers(const Device& device, const PictureRequest& picture,
+                     const PictureMaterial& material, PictureWork& work)
     : device_(device),
       picture_(picture),
-      reflectance_(device, skin, surface),
-      profile_(fit_gaussians(trace_profile(device, skin, {.photons = picture.photons})).function),
+      reflectance_(solve(device, material, work)),
+      profile_(trace(device, material, picture.photons, work)),
       sums_{picture.width, picture.height, {}, {}, {}}
 {
     const std::size_t pixels = picture.width * picture.height;
@@ -36,14 +58,13 @@ SkinLayers::SkinLayers(const Device& device, const PictureRequest& picture, cons
     leaves_.resize(pixels);
 }
 
-void SkinLayers::enter(const Geometry& geometry, std::span<const Sample> samples)
+void LitLayers::enter(const Geometry& geometry, std::span<const Sample> samples)
 {
-    std::vector<dvec3> light(samples.size());
+    const dvec3 uniform = pi * uniform_radiance(picture_.lights) * reflectance_.mean();
+    std::vector<dvec3> light(samples.size(), uniform);
     in_parallel(samples.size(), [&](std::size_t k) {
         const Hit& hit = samples[k].hit;
         for (const PictureLight& each : picture_.lights) {
-            if (const auto* uniform = std::get_if<UniformLight>(&each))
-                light[k] += pi * uniform->radiance * reflectance_.mean();
             if (const auto found = arrival(each, hit, geometry)) {
                 const double cosine = glm::dot(found->towards, hit.normal);
                 light[k] += cosine * found->irradiance * reflectance_.at(cosine);
@@ -62,11 +83,11 @@ void SkinLayers::enter(const Geometry& geometry, std::span<const Sample> samples
         sums_.place[at] += area * mm * (hit.position - picture_.camera.to);
         sums_.light[at] += area * light[k];
         sums_.area[at] += area;
-        leaves_[at] += each * reflectance_.at(cosine) / (pi * reflectance_.mean());
+        leaves_[at] += each * reflectance_.at(cosine);
     }
 }
 
-void SkinLayers::leave(std::vector<dvec3>& image) const
+void LitLayers::leave(std::vector<dvec3>& image, PictureWork& work) const
 {
     EnteringLight entering = sums_;
     for (std::size_t k = 0; k < image.size(); ++k) {
@@ -74,8 +95,12 @@ void SkinLayers::leave(std::vector<dvec3>& image) const
         entering.place[k] /= entering.area[k];
         entering.light[k] /= entering.area[k];
     }
-    const std::vector<dvec3> light = spread_light(device_, entering, profile_);
-    for (std::size_t k = 0; k < image.size(); ++k) image[k] += leaves_[k] * light[k];
+    work.begin("spread of light");
+    const double each = work_of_spread_pixel * static_cast<double>(image.size());
+    const std::vector<dvec3> light =
+        spread_light(device_, entering, profile_, [&](double part) { work.advance(part * each); });
+    const dvec3 whole = glm::max(pi * reflectance_.mean(), dvec3(DBL_MIN));
+    for (std::size_t k = 0; k < image.size(); ++k) image[k] += leaves_[k] * light[k] / whole;
 }
 
 }  // namespace gonio

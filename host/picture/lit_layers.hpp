@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Light that enters skin in a picture, spreads, and leaves it.
+// Light that enters layers in a picture, spreads, and leaves them.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,27 +7,29 @@
 #include <vector>
 
 #include "gonio/picture.hpp"
+#include "picture/layer_reflectance.hpp"
+#include "picture/picture_material.hpp"
 #include "picture/samples.hpp"
-#include "picture/skin_reflectance.hpp"
 #include "picture/spread.hpp"
+#include "picture/work.hpp"
 
 namespace gonio {
 
-class SkinLayers {
+class LitLayers {
 public:
-    SkinLayers(const Device& device, const PictureRequest& picture, const Skin& skin,
-               const Material& surface);
+    LitLayers(const Device& device, const PictureRequest& picture, const PictureMaterial& material,
+              PictureWork& work);
 
     /// Takes what enters at each sample.
     void enter(const Geometry& geometry, std::span<const Sample> samples);
 
     /// Adds to a picture what leaves of all that has entered, towards the viewer.
-    void leave(std::vector<glm::dvec3>& image) const;
+    void leave(std::vector<glm::dvec3>& image, PictureWork& work) const;
 
 private:
     Device device_;
     const PictureRequest& picture_;
-    SkinReflectance reflectance_;
+    LayerReflectance reflectance_;
     SumOfGaussians profile_;
     EnteringLight sums_;              ///< places and light times area
     std::vector<glm::dvec3> leaves_;  ///< at each pixel: radiance by light
