@@ -40,6 +40,8 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
                                 {"memory_bytes", cost.memory_bytes},
                                 {"finished", plan.finished},
                                 {"left_out", left_out}};
+    if (job.header.find("interpolation.error"))
+        json["interpolation_error"] = job.interpolation_error;
     if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
     return json;
 }
@@ -52,6 +54,10 @@ void print(const Job& job, const JobPlan& plan)
     if (!plan.kernel.empty())
         fmt::print("    {} at width {}{}{}\n", plan.kernel, plan.width,
                    plan.definitions.empty() ? "" : " with ", fmt::join(plan.definitions, " "));
+    if (job.header.find("interpolation.error"))
+        fmt::print(
+            "    grid: interpolation is off by {:.2g} of the largest value, {:.2g} is asked\n",
+            job.interpolation_error, job.max_error);
     for (const auto& [what, why, saving] : plan.left_out)
         fmt::print("    left out: {}: {}{}\n", what, why,
                    saving ? fmt::format(" ({:.3g} times the work)", *saving) : "");

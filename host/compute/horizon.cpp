@@ -35,11 +35,18 @@ void for_each_pole(const Reference& f, const Grid& grid, std::size_t channels, s
 bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::size_t channel)
 {
     const auto [l, v] = unit_vectors(pair);
+    return has_limit_on_horizon(f, l, v, channel);
+}
+
+bool has_limit_on_horizon(const Reference& f, glm::dvec3 l, glm::dvec3 v, std::size_t channel)
+{
+    constexpr double horizon = 1e-10;
+    if (std::min(l.z, v.z) > horizon) return true;
     // Far below every scale of a regular model (roughness 1e-5), so that only a pole still changes
     // between the two.
     auto l_lower = l, v_lower = v;
-    if (pair.theta_i == 90) l_lower.z /= 10;
-    if (pair.theta_o == 90) v_lower.z /= 10;
+    if (l.z < horizon) l_lower.z /= 10;
+    if (v.z < horizon) v_lower.z /= 10;
     const double higher = f(l, v, channel), lower = f(l_lower, v_lower, channel);
     return std::abs(lower - higher) <= 1e-3 * std::abs(higher);
 }

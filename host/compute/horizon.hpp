@@ -14,6 +14,9 @@ namespace gonio {
 /// from the reference at two heights: a pole grows between them.
 bool has_limit_on_horizon(const Reference& f, const DirectionPair& pair, std::size_t channel);
 
+/// The same of unit_vectors() of such a pair; true above the horizon.
+bool has_limit_on_horizon(const Reference& f, glm::dvec3 l, glm::dvec3 v, std::size_t channel);
+
 /// Has the grid samples at exactly 90 degrees?
 bool touches_horizon(const Grid& grid);
 

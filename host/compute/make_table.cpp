@@ -23,6 +23,16 @@ void require_accuracy(const Device& device, const Job& job, const Accuracy& accu
         accuracy.relative, bound, accuracy.reference, accuracy.device, accuracy.not_finite));
 }
 
+void require_interpolation(const Job& job)
+{
+    if (!job.must_reach || job.interpolation_error <= job.max_error) return;
+    throw RunError(fmt::format(
+        "{}table `{}`: on {} cells interpolation is off by {:.2g} of the largest value, and not by "
+        "at most the max_error of {:.2g}; --best-effort makes it so",
+        job.where, job.name, job.header.cells() / job.materials.size(), job.interpolation_error,
+        job.max_error));
+}
+
 }  // namespace
 
 MadeTable make_table(const Device& device, const Job& job,
@@ -30,6 +40,7 @@ MadeTable make_table(const Device& device, const Job& job,
                      const ComputeOptions& options)
 {
     if (!job.cells.empty()) return make_integrals(device, job, after_rows);
+    require_interpolation(job);
     MadeTable made;
     const std::unique_ptr<TableWriter> writer =
         make_writer(job.path, job.format, job.header, job.write);

@@ -54,6 +54,17 @@ Lookup::Lookup(const Table& table, Interpolation how) : table_(table), how_(how)
 
 std::vector<double> Lookup::at(std::span<const double> coordinates) const
 {
+    const Cells cells = cells_at(coordinates);
+    const double nothing = cells.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
+    std::vector<double> sums(table_.values.size(), nothing);
+    for (const auto& [cell, weight] : cells) {
+        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += weight * table_.values[c][cell];
+    }
+    return sums;
+}
+
+Lookup::Cells Lookup::cells_at(std::span<const double> coordinates) const
+{
     if (coordinates.size() != stencils_.size()) {
         throw UsageError(fmt::format("a lookup needs {} coordinates, not {}", stencils_.size(),
                                      coordinates.size()));
@@ -67,12 +78,7 @@ std::vector<double> Lookup::at(std::span<const double> coordinates) const
         collect(place, Interpolation::linear, 0, 0, 1, cells);
         leave_out_masked(cells);
     }
-    const double nothing = cells.empty() ? std::numeric_limits<double>::quiet_NaN() : 0;
-    std::vector<double> sums(table_.values.size(), nothing);
-    for (const auto& [cell, weight] : cells) {
-        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += weight * table_.values[c][cell];
-    }
-    return sums;
+    return cells;
 }
 
 std::vector<Stencil::Share> Lookup::shares(std::size_t axis, double coordinate,

@@ -25,8 +25,12 @@ public:
     /// (to 1e-6 of it).
     std::vector<double> at(std::span<const double> coordinates) const;
 
-private:
+    /// Cells of a channel (row * row_length + column) and their weights in such a value; none where
+    /// it is NaN. The table needs no values for that.
     using Cells = std::vector<std::pair<std::size_t, double>>;
+    Cells cells_at(std::span<const double> coordinates) const;
+
+private:
     std::vector<Stencil::Share> shares(std::size_t axis, double coordinate,
                                        Interpolation how) const;
     void collect(std::vector<double>& coordinates, Interpolation how, std::size_t axis,

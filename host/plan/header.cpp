@@ -8,6 +8,7 @@
 #include <set>
 
 #include "output/table_json.hpp"
+#include "plan/fitted_grid.hpp"
 #include "plan/integral_axes.hpp"
 #include "quadrature/derived.hpp"
 #include "version.hpp"
@@ -177,6 +178,13 @@ TableHeader make_header(const Job& job, const TableRequest& request,
     if (quantity.on_grid()) {
         attributes.add("grid", grid_name(job.grid.kind));
         attributes.add("directions", directions_text(job.grid.kind));
+        if (request.fit) {
+            attributes.add("interpolation",
+                           fmt::format("{}, to {} deg from the normal",
+                                       request.fit->cubic ? "cubic" : "linear", fitted_theta));
+            attributes.add("interpolation.max_error", job.max_error);
+            attributes.add("interpolation.error", job.interpolation_error);
+        }
     } else {
         attributes.add("max_error", job.max_error);
         attributes.add("directions",

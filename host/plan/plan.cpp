@@ -9,6 +9,7 @@
 #include "gonio/errors.hpp"
 #include "gonio/job.hpp"
 #include "output/check.hpp"
+#include "plan/fitted_grid.hpp"
 #include "plan/header.hpp"
 #include "plan/integral_axes.hpp"
 #include "plan/skin_job.hpp"
@@ -192,7 +193,10 @@ private:
         for (const auto& point : combinations(axes))
             job.materials.push_back({"", at_point(lobes, axes, point)});
         job.measure = request.quantity->id == "brdf_cosine" ? Measure::brdf_cosine : Measure::brdf;
-        job.grid = *request.grid;
+        if (request.fit)
+            fit_grid(job, *request.fit, *request.budget.max_error);
+        else
+            job.grid = *request.grid;
     }
 
     /// Says in the header how many samples at exactly 90 degrees hold 0 because the model has no

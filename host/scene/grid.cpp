@@ -40,16 +40,26 @@ std::vector<std::size_t> read_counts(const Section& grid, const std::vector<std:
     return counts;
 }
 
+double read_delta_phi_to(const Section& grid)
+{
+    const auto end = grid.find("delta_phi_to");
+    const double to = end ? end->number() : 360;
+    if (to != 180 && to != 360)
+        end->fail(fmt::format("`delta_phi_to` is {}; allowed is 180 or 360 deg", to));
+    return to;
+}
+
+Spacing read_spacing(const Section& grid)
+{
+    const auto spacing = grid.find("spacing");
+    return spacing && spacing->choice({"linear", "merl"}) == 1 ? Spacing::merl : Spacing::linear;
+}
+
 Grid read_isotropic(const Section& grid)
 {
     grid.allow({"kind", "theta_i", "theta_o", "delta_phi", "samples", "delta_phi_to"});
     const auto counts = read_counts(grid, {"theta_i", "theta_o", "delta_phi"});
-    double to = 360;
-    if (const auto end = grid.find("delta_phi_to")) {
-        to = end->number();
-        if (to != 180 && to != 360)
-            end->fail(fmt::format("`delta_phi_to` is {}; allowed is 180 or 360 deg", to));
-    }
+    const double to = read_delta_phi_to(grid);
     const auto samples = read_samples(grid);
     return located(grid.where(),
                    [&] { return isotropic_grid(counts[0], counts[1], counts[2], samples, to); });
@@ -69,12 +79,10 @@ Grid read_rusinkiewicz(const Section& grid)
 {
     grid.allow({"kind", "theta_h", "theta_d", "phi_d", "samples", "spacing"});
     const auto counts = read_counts(grid, {"theta_h", "theta_d", "phi_d"});
-    const auto spacing = grid.find("spacing");
-    const bool merl = spacing && spacing->choice({"linear", "merl"}) == 1;
+    const auto spacing = read_spacing(grid);
     const auto samples = read_samples(grid);
     return located(grid.where(), [&] {
-        return rusinkiewicz_grid(counts[0], counts[1], counts[2], samples,
-                                 merl ? Spacing::merl : Spacing::linear);
+        return rusinkiewicz_grid(counts[0], counts[1], counts[2], samples, spacing);
     });
 }
 
@@ -101,6 +109,27 @@ Grid read_grid(const Value& value)
                                                    read_rusinkiewicz};
     const auto kind = grid.at("kind").choice({"isotropic", "anisotropic", "rusinkiewicz"});
     return readers[kind](grid);
+}
+
+std::optional<GridFit> read_grid_fit(const Value& value)
+{
+    const Section grid(value);
+    for (const auto key :
+         {"theta_i", "theta_o", "delta_phi", "phi_i", "phi_o", "theta_h", "theta_d", "phi_d"})
+        if (grid.find(key)) return std::nullopt;
+    GridFit fit;
+    fit.kind =
+        static_cast<GridKind>(grid.at("kind").choice({"isotropic", "anisotropic", "rusinkiewicz"}));
+    std::vector<std::string_view> keys{"kind", "samples", "interpolation"};
+    if (fit.kind == GridKind::isotropic) keys.emplace_back("delta_phi_to");
+    if (fit.kind == GridKind::rusinkiewicz) keys.emplace_back("spacing");
+    grid.allow(keys);
+    fit.samples = read_samples(grid);
+    fit.spacing = read_spacing(grid);
+    fit.delta_phi_to = read_delta_phi_to(grid);
+    const auto interpolation = grid.find("interpolation");
+    fit.cubic = interpolation && interpolation->choice({"linear", "cubic"}) == 1;
+    return fit;
 }
 
 std::vector<Axis> read_axes(const Value& value)

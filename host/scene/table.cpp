@@ -64,12 +64,21 @@ void check_solver(const Section& table, const TableRequest& request)
                 value->fail(
                     fmt::format("an integral has no `{}`: `max_error` sets how exact it is", key));
     if (request.solver != "closed_form") return;
-    for (const auto key : {"max_error", "time", "photons"})
+    for (const auto key : {"time", "photons"})
         if (const auto value = table.find(key))
             value->fail(
                 fmt::format("this version has no `{}` for the quantity `{}`, whose closed "
                             "form is exact everywhere",
                             key, request.quantity->id));
+    const auto max_error = table.find("max_error");
+    if (request.fit && !max_error)
+        table.at("grid").fail(
+            "this grid needs a count for each of its angles, or the table a `max_error` that "
+            "interpolation keeps to");
+    if (!request.fit && max_error)
+        max_error->fail(
+            "a grid with counts has no `max_error`: leave the counts away, and they "
+            "are chosen by it");
 }
 
 std::string read_solver(const Section& table, const Quantity& quantity)
@@ -96,7 +105,10 @@ TableRequest read_request(const Section& table, std::size_t which,
     request.where = table.where();
     request.material = which;
     const SceneMaterial& material = materials[which];
-    if (const auto grid = table.find("grid")) request.grid = read_grid(*grid);
+    if (const auto grid = table.find("grid")) {
+        request.fit = read_grid_fit(*grid);
+        if (!request.fit) request.grid = read_grid(*grid);
+    }
     if (const auto axes = table.find("axes")) request.axes = read_axes(*axes);
     request.budget = read_budget(table);
     request.storage = storage;
@@ -110,6 +122,8 @@ TableRequest read_request(const Section& table, std::size_t which,
     request.quantity = located(quantity.where(), [&] { return &find_quantity(id, of); });
     request.solver = read_solver(table, *request.quantity);
     check_solver(table, request);
+    if (request.fit && !surface)
+        table.at("grid").fail("a grid of layers needs a count for each of its angles");
     if (of == Substance::layers) read_light_request(table, request);
     if (skin) read_skin_request(table, *skin, request);
     if (const auto axes = table.find("axes"); axes && surface)

@@ -17,6 +17,10 @@ std::vector<TableRequest> read_table_requests(const Value& value,
 /// { kind, counts, samples, spacing, delta_phi_to }
 Grid read_grid(const Value& value);
 
+/// { kind, samples, spacing, delta_phi_to, interpolation = "linear" | "cubic" }, or nothing if the
+/// grid has counts.
+std::optional<GridFit> read_grid_fit(const Value& value);
+
 /// { name = { from, to, count, samples, spacing = "linear" | "square" }, ... } or { name = { values
 /// = [...] }, ... }
 std::vector<Axis> read_axes(const Value& value);

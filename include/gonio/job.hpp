@@ -45,7 +45,8 @@ struct Job {
     std::optional<SkinTask> skin;           ///< in place of them all
     std::optional<ProfileRequest> profile;  ///< of the skin: its R(r) by photons
     std::vector<IntegralCell> cells;        ///< in place of the grid, in the order of the table
-    double max_error = 1e-6;                ///< of an integral
+    double max_error = 1e-6;  ///< of an integral, or of interpolation on a grid that was fitted
+    double interpolation_error = 0;  ///< that such a grid has
     bool must_reach = false;  ///< it is an error if the max_error asked for is not reached
     TableHeader header;       ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;

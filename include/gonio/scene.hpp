@@ -58,11 +58,21 @@ struct Storage {
     WriteOptions write;
 };
 
+/// A grid whose counts follow from how exact interpolation between its samples has to be.
+struct GridFit {
+    GridKind kind = GridKind::isotropic;
+    Samples samples = Samples::centre;
+    Spacing spacing = Spacing::linear;  ///< of a Rusinkiewicz grid
+    double delta_phi_to = 360;          ///< of an isotropic one
+    bool cubic = false;                 ///< how the table will be read; else linearly
+};
+
 struct TableRequest {
     std::string name;          ///< the stem of its file
     std::size_t material = 0;  ///< index into Scene::materials
     const Quantity* quantity = nullptr;
-    std::optional<Grid> grid;  ///< set exactly if quantity->on_grid
+    std::optional<Grid> grid;  ///< set, or fit is, exactly if quantity->on_grid
+    std::optional<GridFit> fit;
     std::vector<Axis> axes;    ///< else the quantity's, from the outermost
     std::string solver;        ///< one of quantity->solvers
     LightSource light;         ///< of layers

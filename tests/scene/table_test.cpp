@@ -77,6 +77,23 @@ TEST(BadTable, HasAGridOfAnotherKind)
               "");
 }
 
+TEST(BadTable, HasAGridWithoutCounts)
+{
+    const std::string table = "material = \"steel\"\nquantity = \"brdf\"\n";
+    EXPECT_EQ(bad_table(table + "grid = @{ kind = \"isotropic\" }"),
+              "this grid needs a count for each of its angles, or the table a `max_error` that "
+              "interpolation keeps to");
+    const std::string asked = table + "max_error = 0.1\n";
+    EXPECT_EQ(bad_table(asked + "grid = { kind = \"anisotropic\", interpolation = \"cubic\" }"),
+              "");
+    EXPECT_THAT(bad_table(asked + "grid = { kind = \"isotropic\", interpolation = @\"cubc\" }"),
+                HasSubstr("did you mean `cubic`"));
+    EXPECT_THAT(bad_table(asked + "grid = { kind = \"anisotropic\", @delta_phi_to = 180 }"),
+                HasSubstr("unknown key `delta_phi_to`"));
+    EXPECT_THAT(bad_table(asked + "grid = @{ kind = \"isotropic\", theta_i = 4 }"),
+                HasSubstr("`theta_o`"));
+}
+
 TEST(BadTable, StoresWhatAFormatCannotHold)
 {
     EXPECT_EQ(bad_request("format = \"npy\"\nprecision = @\"half\""),
@@ -96,7 +113,10 @@ TEST(BadTable, HasABudget)
             fmt::format("`time` cannot be \"{}\"; allowed is a time such as \"5 s\", \"2 min\" "
                         "or \"1 h\"",
                         time));
-    for (const std::string budget : {"max_error = @1e-3", "time = @\"5 s\"", "photons = @1e6"})
+    EXPECT_EQ(bad_request("max_error = @1e-3"),
+              "a grid with counts has no `max_error`: leave the counts away, and they are chosen "
+              "by it");
+    for (const std::string budget : {"time = @\"5 s\"", "photons = @1e6"})
         EXPECT_THAT(bad_request(budget),
                     HasSubstr("for the quantity `brdf`, whose closed form is exact"));
 }
