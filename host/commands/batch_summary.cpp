@@ -138,7 +138,8 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
                             [](const auto& entry) { return !entry.second.accuracy.complete; }))
         fmt::print("* checked on 250 000 stratified cells and the extremes\n");
     fmt::print("{}", of_layers);
-    fmt::print("{} made, {} already finished\n", report.made, report.kept);
+    fmt::print("{} made, {}{} already finished\n", report.made,
+               report.copied == 0 ? "" : fmt::format("{} copied, ", report.copied), report.kept);
 }
 
 void print_estimate(const Device& device, const std::vector<Job>& jobs)

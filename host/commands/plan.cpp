@@ -10,6 +10,7 @@
 #include "gonio/scene.hpp"
 #include "opencl/store_rate.hpp"
 #include "output/check.hpp"
+#include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/explain.hpp"
 
@@ -68,14 +69,22 @@ void plan_scene(const PlanOptions& options)
     const std::vector<Job> jobs = plan_jobs(load_scene(options.scene), options.output);
     const Device device = options.device.open();
     const double rate = 0.5 * stored_values_per_second(device);
+    const std::vector<const Job*> twins = equal_jobs(jobs);
+    std::vector<JobPlan> plans;
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        plans.push_back(explain(device, jobs[k]));
+        if (const Job* twin = twins[k]; twin != nullptr && !plans[k].finished)
+            plans[k].left_out.push_back(
+                {"all of it", fmt::format("it equals {}", twin->path.string()), {}});
+    }
     if (!options.json) {
-        for (const Job& job : jobs) print(job, explain(device, job));
+        for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k]);
         fmt::print("\n{}", estimate_text(jobs, rate));
         return;
     }
     nlohmann::ordered_json array = nlohmann::ordered_json::array();
-    for (const Job& job : jobs)
-        array.push_back(json_of(job, explain(device, job), estimate(job, rate)));
+    for (std::size_t k = 0; k < jobs.size(); ++k)
+        array.push_back(json_of(jobs[k], plans[k], estimate(jobs[k], rate)));
     fmt::print("{}\n", nlohmann::ordered_json{{"tables", array}}.dump(2));
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "gonio/errors.hpp"
@@ -153,6 +154,19 @@ void write_file(const std::filesystem::path& path, std::string_view bytes)
     AtomicFile file(path);
     file.write(bytes);
     file.commit();
+}
+
+void copy_complete_file(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+    std::ifstream source(from, std::ios::binary);
+    AtomicFile copy(to);
+    std::vector<char> piece(std::size_t{1} << 20);
+    while (source) {
+        source.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        copy.write(piece.data(), static_cast<std::size_t>(source.gcount()));
+    }
+    if (!source.eof()) throw RunError(fmt::format("{}: cannot be read", from.string()));
+    copy.commit();
 }
 
 void prepare_directory(const std::filesystem::path& directory)

@@ -50,6 +50,9 @@ private:
 /// The whole of a file in one step.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
+/// A copy of `from`, in one step. Throws RunError.
+void copy_complete_file(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Makes a folder if need be, and removes what killed runs left there. Throws RunError.
 void prepare_directory(const std::filesystem::path& directory);
 

@@ -3,6 +3,7 @@
 #include "plan/batch.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "gonio/errors.hpp"
@@ -37,6 +38,17 @@ bool is_finished(const Job& job)
     }
 }
 
+std::vector<const Job*> equal_jobs(const std::vector<Job>& jobs)
+{
+    std::map<std::pair<std::string, std::string>, const Job*> firsts;
+    std::vector<const Job*> equals;
+    for (const Job& job : jobs) {
+        const auto [place, is_new] = firsts.try_emplace({job.format, definition(job)}, &job);
+        equals.push_back(is_new ? nullptr : place->second);
+    }
+    return equals;
+}
+
 BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make, Keep keep)
 {
     std::vector<Job> unfinished;
@@ -48,13 +60,26 @@ BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make, Keep 
     double cells = 0;
     for (const Job& job : unfinished) cells += static_cast<double>(job.header.cells());
     Progress progress(cells);
-    for (const Job& job : unfinished) {
+    BatchReport report{0, jobs.size() - unfinished.size()};
+    const std::vector<const Job*> twins = keep == Keep::finished
+                                              ? equal_jobs(unfinished)
+                                              : std::vector<const Job*>(unfinished.size());
+    std::map<std::filesystem::path, nlohmann::ordered_json> runs;
+    for (std::size_t k = 0; k < unfinished.size(); ++k) {
+        const Job& job = unfinished[k];
         throw_if_interrupted();
         progress.begin(job.name);
-        const auto run = make(job, progress);
-        write_sidecar(job.path, job.header, run);
+        const Job* twin = twins[k];
+        if (twin != nullptr) {
+            copy_complete_file(twin->path, job.path);
+            progress.advance(static_cast<double>(job.header.cells()));
+        } else {
+            runs[job.path] = make(job, progress);
+        }
+        ++(twin != nullptr ? report.copied : report.made);
+        write_sidecar(job.path, job.header, runs.at(twin != nullptr ? twin->path : job.path));
     }
-    return {unfinished.size(), jobs.size() - unfinished.size()};
+    return report;
 }
 
 }  // namespace gonio

@@ -22,15 +22,19 @@ bool is_finished(const Job& job);
 
 struct BatchReport {
     std::size_t made = 0, kept = 0;
+    std::size_t copied = 0;  ///< equal to another table of the batch
 };
+
+/// For each job the first before it whose file has the same bytes; nullptr where there is none.
+std::vector<const Job*> equal_jobs(const std::vector<Job>& jobs);
 
 /// Which tables to make: all, or those that no earlier run has finished.
 enum class Keep { nothing, finished };
 
 /// Makes directories, removes what killed runs left behind, and makes every job that is not
-/// kept, with its sidecar. Throws UsageError before anything is computed if the tables do not
-/// fit onto the disk, RunError if a directory cannot be made, Interrupted between two jobs;
-/// whatever was finished is kept.
+/// kept, with its sidecar; what equals an earlier one is copied, unless nothing is to be kept.
+/// Throws UsageError before anything is computed if the tables do not fit onto the disk, RunError
+/// if a directory cannot be made, Interrupted between two jobs; whatever was finished is kept.
 BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make,
                       Keep keep = Keep::finished);
 

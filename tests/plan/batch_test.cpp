@@ -61,6 +61,28 @@ protected:
 INSTANTIATE_TEST_SUITE_P(All, Batch, testing::Values("exr", "npy", "csv"),
                          [](const auto& format) { return format.param; });
 
+TEST_P(Batch, MakesEqualTablesOnce)
+{
+    Scene scene = parse_scene(scene_text(GetParam()), "scene.toml");
+    scene.tables.push_back(scene.tables.front());
+    scene.tables.back().name = "again";
+    jobs = plan_jobs(scene, tables);
+    ASSERT_EQ(jobs.size(), 6U);
+    const auto report = run();
+    EXPECT_EQ(report.made, 3U);
+    EXPECT_EQ(report.copied, 3U);
+    EXPECT_EQ(made.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(test::contents(jobs[k].path), test::contents(jobs[k + 3].path));
+        EXPECT_TRUE(is_finished(jobs[k + 3]));
+    }
+    EXPECT_EQ(run().kept, 6U);
+    made.clear();
+    const auto all = run_batch(
+        jobs, [this](const Job& job, Progress&) { return make(job); }, Keep::nothing);
+    EXPECT_EQ(all.made, 6U);
+}
+
 TEST_P(Batch, MakesAllAndThenKeepsAll)
 {
     const auto first = run();
