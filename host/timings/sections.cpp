@@ -56,6 +56,7 @@ const std::vector<BenchSection>& bench_sections()
         {"scaling", "over compute units", bench_scaling},
         {"tiles", "over sizes of tiles", bench_tiles},
         {"start", "building programs and first launches", bench_start},
+        {"savings", "scenes with their plan and without", bench_savings},
     };
     return all;
 }

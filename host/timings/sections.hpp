@@ -51,6 +51,7 @@ BenchPlot bench_photon_choices(const BenchRun& run);
 BenchPlot bench_scaling(const BenchRun& run);
 BenchPlot bench_tiles(const BenchRun& run);
 BenchPlot bench_start(const BenchRun& run);
+BenchPlot bench_savings(const BenchRun& run);
 
 struct BenchSection {
     std::string_view name, what;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What leaving out saves: scenes as they are planned, and computed the general way.
+#include <fmt/format.h>
+
+#include "gonio/compute.hpp"
+#include "gonio/job.hpp"
+#include "gonio/photons.hpp"
+#include "plan/batch.hpp"
+#include "timings/sections.hpp"
+#include "timings/skin.hpp"
+
+namespace gonio {
+namespace {
+
+constexpr double asked = 1e-3;  // of the totals of skin, relative
+
+/// A scene, and how long each way takes.
+struct Contest {
+    std::string name;
+    std::function<double()> planned, general;
+};
+
+/// lobes: of the one material; its table is asked for `times`.
+Contest of_tables(const BenchRun& run, const std::string& name, const std::string& lobes, int times)
+{
+    std::string text = fmt::format("[[material]]\nname = \"m\"\nlobes = [{}]\n", lobes);
+    for (int k = 0; k < times; ++k)
+        text += fmt::format(
+            "[[table]]\nmaterial = \"m\"\nname = \"t{}\"\nquantity = \"brdf\"\n"
+            "grid = {{ kind = \"isotropic\", theta_i = 64, theta_o = 64, "
+            "delta_phi = 720 }}\n",
+            k);
+    const auto jobs = std::make_shared<std::vector<Job>>(plan_jobs(parse_scene(text, name)));
+    const auto timed = [&run, jobs](bool leave_out) {
+        return seconds_on_the_wall([&] {
+            const std::vector<const Job*> twins = equal_jobs(*jobs);
+            for (std::size_t k = 0; k < jobs->size(); ++k)
+                if (!leave_out || twins[k] == nullptr)
+                    compute_grid(run.device, (*jobs)[k].materials[0], Measure::brdf,
+                                 (*jobs)[k].grid, [](const Rows<float>&) {},
+                                 {.leave_out = leave_out});
+        });
+    };
+    timed(true);
+    timed(false);
+    return {name, [timed] { return timed(true); }, [timed] { return timed(false); }};
+}
+
+/// Adding-doubling in place of as many photons as have the same error.
+Contest of_skin(const BenchRun& run)
+{
+    const LayeredMedium medium = benchmark_skin();
+    const auto exact = [medium] {
+        return seconds_on_the_wall(
+            [&] { reference::solve_layers_to(medium, {.incidence = {0}}, asked); });
+    };
+    const auto photons = [medium, &run] {
+        PhotonTracer tracer(run.device, medium, {.batch = 256});
+        tracer.trace(1 << 16);
+        const Fraction rd = tracer.result().diffuse_reflectance;
+        const double off = rd.error / rd.mean / asked;
+        return tracer.kernel_seconds() * off * off;
+    };
+    photons();
+    return {"totals of skin to 1e-3", exact, photons};
+}
+
+}  // namespace
+
+BenchPlot bench_savings(const BenchRun& run)
+{
+    BenchPlot plot{"savings", "What leaving out saves",
+                   "Scenes as they are planned, and the general way, by the wall's clock, without "
+                   "files: BRDFs of 64 x 64 x 720 cells over the whole turn; photons as many as "
+                   "have the error asked for, by the error that a known number of them has.",
+                   "seconds, planned", "times as long without a plan"};
+    plot.joined = false;
+    std::vector<Contest> contests;
+    const auto add = [&](Contest contest) { contests.push_back(std::move(contest)); };
+    run.step("savings");
+    add(of_tables(run, "blinn_phong", "{ model = \"blinn_phong\" }", 1));
+    add(of_tables(run, "ashikhmin_shirley", "{ model = \"ashikhmin_shirley\" }", 1));
+    add(of_tables(run, "he_torrance", "{ model = \"he_torrance\" }", 1));
+    add(of_tables(run, "two of three lobes off",
+                  "{ model = \"ggx\" }, { model = \"phong\", weight = 0 }, "
+                  "{ model = \"strauss\", weight = 0 }",
+                  1));
+    add(of_tables(run, "one table, twice", "{ model = \"oren_nayar\" }", 2));
+    add(of_skin(run));
+    std::vector<std::function<double()>> runs;
+    for (const Contest& contest : contests) {
+        runs.push_back(contest.planned);
+        runs.push_back(contest.general);
+    }
+    const std::vector<Spread> took = interleaved(runs, run.rounds());
+    double planned = 0, general = 0;
+    for (std::size_t k = 0; k < contests.size(); ++k) {
+        const Spread &a = took[2 * k], &b = took[2 * k + 1];
+        planned += a.median;
+        general += b.median;
+        plot.points.push_back(
+            {"scenes", contests[k].name, a, {b.median / a.median, b.low / a.high, b.high / a.low}});
+    }
+    plot.points.push_back(
+        {"all of them", "all of them", exactly(planned), exactly(general / planned)});
+    return plot;
+}
+
+}  // namespace gonio
