@@ -71,6 +71,7 @@ PhotonKernel::PhotonKernel(const Device& device, PhotonProgram program, std::uin
     set(program_.row_bins_per_unit);
     set(program_.radius_bins_per_cm);
     set(program_.depth_bins_per_cm);
+    set(static_cast<cl_uint>(program_.wavelengths));
     clear();
 }
 

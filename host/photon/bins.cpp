@@ -137,6 +137,13 @@ std::uint64_t batch_of(std::uint64_t photons)
     return std::bit_floor(std::clamp<std::uint64_t>(photons / batches, 2, 1 << 30));
 }
 
+std::uint64_t batch_from(std::uint64_t photon, std::uint64_t most)
+{
+    constexpr std::uint64_t least_batch = 1024;
+    if (most != no_limit) return batch_of(most);
+    return std::clamp(std::bit_floor(photon / least_batches), least_batch, largest_batch);
+}
+
 double overflow(const PhotonResult& result, const PhotonTallies& tallies)
 {
     double beyond = 0;

@@ -26,6 +26,13 @@ double largest_error(const std::vector<Fraction>& values);
 /// The batch for a given number of photons: a power of two, at least 64 of them.
 std::uint64_t batch_of(std::uint64_t photons);
 
+/// The batch that begins with a photon: a 64th of the number that is given, else about a 32nd of
+/// all before it.
+std::uint64_t batch_from(std::uint64_t photon, std::uint64_t most);
+inline constexpr std::uint64_t least_batches = 32;  ///< before an error is believed
+inline constexpr std::uint64_t largest_batch = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t no_limit = UINT64_MAX;  ///< of photons
+
 /// What lies beyond the last bins, of all the incident light.
 double overflow(const PhotonResult& result, const PhotonTallies& tallies);
 

@@ -84,6 +84,23 @@ void add_layers(PhotonProgram& program, const LayeredMedium& medium)
     if (program.phases.empty()) program.phases.resize(segment_fields);  // no buffer has no bytes
 }
 
+/// How far apart the layers of a spectrum are: vectors of every width may read to the end.
+std::size_t spectrum_stride(const PhotonTallies& tallies)
+{
+    constexpr std::size_t widest = 16;
+    return (tallies.spectrum.size() + widest - 1) / widest * widest;
+}
+
+void add_spectrum(PhotonProgram& program, const PhotonTallies& tallies, std::size_t layers)
+{
+    const std::size_t first = program.layers.size(), stride = spectrum_stride(tallies);
+    program.layers.resize(first + layers * stride);
+    for (std::size_t k = 0; k < tallies.spectrum.size(); ++k)
+        for (std::size_t layer = 0; layer < layers; ++layer)
+            program.layers[first + layer * stride + k] =
+                static_cast<float>(tallies.spectrum[k][layer]);
+}
+
 /// Refraction at the first boundary: Born and Wolf 1.5.2.
 KernelSource refracted_beam(const LayeredMedium& medium, const LightSource& light)
 {
@@ -127,6 +144,19 @@ void check(const PhotonRequest& request)
             fmt::format("a beam's radius of {} cm must be 0 or more", request.light.radius));
 }
 
+void check_spectrum(const PhotonTallies& tallies, std::size_t layers)
+{
+    if (tallies.spectrum.empty()) return;
+    if (tallies.row != ExitRow::radius) throw UsageError("the rows of a spectrum are radii");
+    for (const std::vector<double>& wavelength : tallies.spectrum)
+        if (wavelength.size() != layers || !std::ranges::all_of(wavelength, [](double more) {
+                return more >= 0 && std::isfinite(more);
+            }))
+            throw UsageError(fmt::format(
+                "a spectrum needs {} numbers of absorption, at least 0, for each wavelength",
+                layers));
+}
+
 double row_bins_per_unit(const PhotonTallies& tallies)
 {
     switch (tallies.row) {
@@ -146,8 +176,10 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
     validate(medium);
     check(request);
     const PhotonTallies& tallies = request.tallies;
+    check_spectrum(tallies, medium.layers.size());
     PhotonProgram program;
     add_layers(program, medium);
+    add_spectrum(program, tallies, medium.layers.size());
     program.source = refracted_beam(medium, request.light);
     if (medium.bottom == Bottom::diffuse)
         program.bottom_albedo = static_cast<float>(medium.bottom_albedo);
@@ -157,7 +189,9 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
     program.reflected = photon_totals + medium.layers.size();
     program.transmitted = program.reflected + (tallies.reflected ? tallies.exit_bins() : 0);
     program.absorbed = program.transmitted + (tallies.transmitted ? tallies.exit_bins() : 0);
-    program.sums = program.absorbed + (tallies.absorbed ? tallies.absorbed_bins() : 0);
+    program.spectrum = program.absorbed + (tallies.absorbed ? tallies.absorbed_bins() : 0);
+    const std::size_t wavelengths = program.wavelengths = tallies.spectrum.size();
+    program.sums = program.spectrum + (tallies.rows + 3) * wavelengths;
 
     const Layer& top = medium.layers.front();
     program.preamble = "#define EACH_LAYER(DO)";
@@ -190,6 +224,11 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
         define("DEPTH_BINS", tallies.depths);
         define("ABSORBED_RADIUS_BINS", tallies.absorbed_radii);
         define("FIRST_ABSORBED", program.absorbed);
+    }
+    if (wavelengths > 0) {
+        define("SPECTRUM", 1);
+        define("SPECTRUM_ROWS", tallies.rows + 1);
+        define("FIRST_SPECTRUM", program.spectrum);
     }
     return program;
 }

@@ -24,13 +24,15 @@ struct KernelSource {
 struct PhotonProgram {
     std::string preamble;                  ///< the program's first lines
     std::vector<std::string> definitions;  ///< "NAME=VALUE"
-    std::vector<float> layers;             ///< records of layer_field
-    std::vector<float> phases;             ///< records of segment_field, of all tables
+    /// Records of layer_field; behind them the absorption of a spectrum, [layer][wavelength].
+    std::vector<float> layers;
+    std::vector<float> phases;  ///< records of segment_field, of all tables
     KernelSource source;
     float bottom_albedo = 0;
     float row_bins_per_unit = 0, radius_bins_per_cm = 0, depth_bins_per_cm = 0;
+    std::size_t wavelengths = 0;  ///< of a spectrum
     // Places among the sums, behind the totals and the layers.
-    std::size_t reflected = 0, transmitted = 0, absorbed = 0, sums = 0;
+    std::size_t reflected = 0, transmitted = 0, absorbed = 0, spectrum = 0, sums = 0;
 };
 
 /// Throws UsageError as PhotonTracer does.

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -16,9 +15,6 @@
 
 namespace gonio {
 namespace {
-
-constexpr std::uint64_t least_batch = 1024, largest_batch = std::uint64_t{1} << 30;
-constexpr std::uint64_t least_batches = 32;  // before an error is believed
 
 /// The light of each part of the table: for a BRDF a beam for each of its directions.
 std::vector<LightSource> lights_of(const Job& job)
@@ -42,7 +38,7 @@ public:
           after_launch_(after_launch),
           lights_(lights_of(job)),
           tallies_(tallies_of(*light_.quantity, job.header.axes)),
-          most_(light_.budget.photons.value_or(UINT64_MAX)),
+          most_(light_.budget.photons.value_or(no_limit)),
           checkpoint_(job.path, definition(job))
     {
     }
@@ -74,9 +70,9 @@ private:
         std::vector<Fraction> found;
         double error = INFINITY;
         // The batch at hand, which an earlier run may have begun, or ended.
-        std::uint64_t end = batch_from(0), batches = 1;
-        for (; end < done_; ++batches) end += batch_from(end);
-        for (;; end += batch_from(end), ++batches) {
+        std::uint64_t end = batch_from(0, most_), batches = 1;
+        for (; end < done_; ++batches) end += batch_from(end, most_);
+        for (;; end += batch_from(end, most_), ++batches) {
             tracer.trace(std::min(end, most_) - done_, [&](std::uint64_t count) {
                 done_ += count;
                 report(tracer, error);
@@ -142,14 +138,6 @@ private:
         if (!light_.quantity->axes.empty()) beyond_ = overflow(result, tallies_);
     }
 
-    /// Of the batch that begins there: a 64th of the number that is given, else about a 32nd of all
-    /// before it.
-    std::uint64_t batch_from(std::uint64_t photon) const
-    {
-        if (most_ != UINT64_MAX) return batch_of(most_);
-        return std::clamp(std::bit_floor(photon / least_batches), least_batch, largest_batch);
-    }
-
     double time() const
     {
         return light_.budget.seconds.value_or(INFINITY) / static_cast<double>(lights_.size());
@@ -172,7 +160,7 @@ private:
     double fraction(double error) const
     {
         double part = seconds() / time();
-        if (most_ != UINT64_MAX)
+        if (most_ != no_limit)
             part = std::max(part, static_cast<double>(done_) / static_cast<double>(most_));
         if (light_.budget.max_error && std::isfinite(error))
             part = std::max(part, std::pow(*light_.budget.max_error / error, 2));

@@ -124,6 +124,11 @@ PhotonResult PhotonTracer::result() const
     const auto bins = [&](bool asked, std::size_t first, std::size_t count) {
         return sums.fractions(first, asked ? count : 0);
     };
+    const std::size_t wavelengths = tallies.spectrum.size();
+    const std::size_t all_light = program.spectrum + (tallies.rows + 1) * wavelengths;
+    std::vector<double> squares;
+    for (std::size_t k = 0; k < wavelengths; ++k)
+        squares.push_back(sums.fraction(all_light + wavelengths + k).mean);
     return {.photons = sums.photons(),
             .specular = sums.fraction(total_specular),
             .diffuse_reflectance = sums.fraction(total_reflected),
@@ -136,7 +141,10 @@ PhotonResult PhotonTracer::result() const
             .absorption = sums.fractions(photon_totals, state_->layers),
             .reflected = bins(tallies.reflected, program.reflected, tallies.exit_bins()),
             .transmitted = bins(tallies.transmitted, program.transmitted, tallies.exit_bins()),
-            .absorbed = bins(tallies.absorbed, program.absorbed, tallies.absorbed_bins())};
+            .absorbed = bins(tallies.absorbed, program.absorbed, tallies.absorbed_bins()),
+            .spectrum = sums.fractions(program.spectrum, all_light - program.spectrum),
+            .spectrum_total = sums.fractions(all_light, wavelengths),
+            .spectrum_squares = std::move(squares)};
 }
 
 std::string PhotonTracer::state() const

@@ -13,6 +13,7 @@
 #include "photon/bins.hpp"
 #include "photon/program.hpp"
 #include "plan/batch.hpp"
+#include "skin/spectral_bases.hpp"
 
 namespace gonio {
 namespace {
@@ -105,7 +106,15 @@ void explain_skin(JobPlan& plan, const Device& device, const Job& job)
     if (job.profile) {
         plan.kernel = "photon/launch.cl";
         plan.width = device.width();
-        return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them", 4);
+        if (job.header.quantity != "reflectance_r")
+            return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them",
+                             4);
+        const auto& wavelengths = (job.header.axes.end() - 2)->values;
+        const std::size_t bases = spectral_bases(media_of(job.skin->skin, wavelengths)).size();
+        if (bases == wavelengths.size()) return;
+        return leave_out(plan, "photons of their own for each wavelength",
+                         fmt::format("on the paths of {} absorption is exchanged", bases),
+                         static_cast<double>(wavelengths.size()) / static_cast<double>(bases));
     }
     leave_out_photons(plan, job.skin->tolerance);
     if (!job.skin->ladders.empty())

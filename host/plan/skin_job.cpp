@@ -27,9 +27,10 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     attributes.emplace_back("title", std::string(quantity.title));
     attributes.emplace_back("storage", storage_text(job));
     attributes.emplace_back("material", material);
-    if (traced)
+    if (traced) {
         job.profile = profile_request(request);
-    else if (quantity.id != "reflectance_spectrum") {
+        job.must_reach = job.profile->max_error.has_value();
+    } else if (quantity.id != "reflectance_spectrum") {
         job.header.axes.pop_back();  // the wavelength, which the observer has summed over
         job.header.channels = quantity.id == "colour_rgb" ? std::vector<std::string>{"R", "G", "B"}
                                                           : std::vector<std::string>{"X", "Y", "Z"};

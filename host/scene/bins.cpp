@@ -15,8 +15,10 @@ std::string wanted_axes(const Quantity& quantity)
 {
     std::string text;
     for (const auto& [name, unit] : quantity.axes)
-        text += fmt::format("{}{} = {{ to = {}, count = … }}", text.empty() ? "" : ", ", name,
-                            unit == "deg" ? "90" : "…");
+        text += fmt::format("{}{} = {{ {} }}", text.empty() ? "" : ", ", name,
+                            unit == "nm"
+                                ? "values = [400, 410, …]"
+                                : fmt::format("to = {}, count = …", unit == "deg" ? "90" : "…"));
     return fmt::format("axes = {{ {} }}", text);
 }
 
@@ -56,7 +58,8 @@ void read_bins(const Section& table, TableRequest& request)
     }
     const Value axes = table.at("axes");
     name_axes(axes, request);
-    for (const Axis& axis : request.axes) check_bins(axes, axis);
+    for (const Axis& axis : request.axes)
+        if (axis.unit != "nm") check_bins(axes, axis);
 }
 
 }  // namespace gonio

@@ -11,7 +11,7 @@ namespace gonio {
 void name_axes(const Value& axes, TableRequest& request);
 
 /// The same for the key `axes` of a table, whose axes must be even bins from 0 on, angles to 90
-/// degrees. Throws UsageError too where a quantity without axes has some.
+/// degrees, except wavelengths. Throws UsageError too where a quantity without axes has some.
 void read_bins(const Section& table, TableRequest& request);
 
 }  // namespace gonio

@@ -20,18 +20,31 @@ void check_range(const Value& axes, const Axis& axis, double least, double great
                 fmt::format("`{}` is {}; allowed is {} to {}", axis.name, value, least, greatest));
 }
 
+void check_wavelengths(const Value& axes, const Skin& skin, const Axis& axis)
+{
+    located(axes.where(), [&] {
+        for (const double wavelength : axis.values) static_cast<void>(skin.layers_at(wavelength));
+    });
+}
+
 }  // namespace
 
-void read_profile_request(const Section& table, TableRequest& request)
+void read_profile_request(const Section& table, const Skin& skin, TableRequest& request)
 {
-    table.allow({"material", "name", "quantity", "axes", "solver", "photons", "seed", "format",
-                 "precision", "compression"});
+    const bool spectrum = request.quantity->id == "reflectance_r";
+    std::vector<std::string_view> keys = {"material",  "name",       "quantity", "axes",
+                                          "solver",    "photons",    "seed",     "format",
+                                          "precision", "compression"};
+    if (spectrum) keys.emplace_back("max_error");
+    table.allow(keys);
     if (const auto seed = table.find("seed"))
         request.seed = seed->count(0, std::numeric_limits<std::int64_t>::max());
     // Photons of a wavelength have numbers of 48 bits.
     if (const auto photons = table.find("photons"))
         request.budget.photons = photons->count(2, std::uint64_t{1} << 48);
-    if (request.quantity->id == "profile_rgb") return read_bins(table, request);
+    if (spectrum || request.quantity->id == "profile_rgb") read_bins(table, request);
+    if (spectrum) check_wavelengths(table.at("axes"), skin, request.axes[0]);
+    if (request.quantity->id != "preintegrated_rgb") return;
     const Value axes = table.at("axes");
     name_axes(axes, request);
     check_range(axes, request.axes[0], -1, 1);

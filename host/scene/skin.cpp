@@ -53,7 +53,7 @@ LayeredMedium read_skin_layers(const Section& material)
 
 void read_skin_request(const Section& table, const Skin& skin, TableRequest& request)
 {
-    if (request.solver == "monte_carlo") return read_profile_request(table, request);
+    if (request.solver == "monte_carlo") return read_profile_request(table, skin, request);
     table.allow({"material", "name", "quantity", "axes", "light", "theta_i", "solver", "max_error",
                  "format", "precision", "compression"});
     if (const auto light = table.find("light"))

@@ -32,8 +32,9 @@ void read_light_request(const Section& table, TableRequest& request);
 /// How skin is lit, and at which wavelengths. Throws UsageError where it has no layers there.
 void read_skin_request(const Section& table, const Skin& skin, TableRequest& request);
 
-/// Over what the light that spreads in skin is asked for, and with how many photons.
-void read_profile_request(const Section& table, TableRequest& request);
+/// Over what the light that spreads in skin is asked for, and with how many photons. Throws
+/// UsageError where skin has no layers at a wavelength.
+void read_profile_request(const Section& table, const Skin& skin, TableRequest& request);
 
 /// Of an integral over the hemisphere: the quantity's directions, and numbers of the material.
 /// Throws UsageError at the one that is neither.

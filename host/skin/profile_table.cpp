@@ -4,10 +4,13 @@
 
 #include "photon/bins.hpp"
 #include "scene/located.hpp"
+#include "skin/radial_table.hpp"
 #include "skin/skin_sets.hpp"
 
 namespace gonio {
 namespace {
+
+constexpr std::uint64_t most_photons = std::uint64_t{1} << 48;  // numbers that a base has
 
 nlohmann::ordered_json fits_of(const ProfileFit<SumOfGaussians>& gaussians,
                                const RadialProfile& profile)
@@ -50,9 +53,12 @@ ProfileRequest profile_request(const TableRequest& request)
 {
     ProfileRequest wanted{.seed = request.seed};
     wanted.photons = request.budget.photons.value_or(wanted.photons);
-    if (request.quantity->id == "profile_rgb") {
-        wanted.rings = request.axes[0].values.size();
-        wanted.width = 2 * request.axes[0].values.front();
+    wanted.max_error = request.budget.max_error;
+    if (wanted.max_error && !request.budget.photons) wanted.photons = most_photons;
+    if (request.quantity->id != "preintegrated_rgb") {
+        const Axis& rings = request.axes.back();
+        wanted.rings = rings.values.size();
+        wanted.width = 2 * rings.values.front();
     }
     return wanted;
 }
@@ -61,15 +67,20 @@ TableHeader profile_header(const SkinTask& task, const TableRequest& request)
 {
     TableHeader header = sets_header(task, *request.quantity);
     header.axes.insert(header.axes.end(), request.axes.begin(), request.axes.end());
+    const bool spectrum = request.quantity->id == "reflectance_r";
     header.channels = {"R", "G", "B"};
+    if (spectrum) header.channels = {"Y", "Y.error"};
     if (request.quantity->id == "profile_rgb")
         for (const auto name : {"R.error", "G.error", "B.error"})
             header.channels.emplace_back(name);
     const ProfileRequest wanted = profile_request(request);
     auto& all = header.attributes;
     all.emplace_back("solver", request.solver);
-    all.emplace_back("photons", static_cast<double>(wanted.photons));
+    if (wanted.photons < most_photons)
+        all.emplace_back("photons", static_cast<double>(wanted.photons));
+    if (wanted.max_error) all.emplace_back("max_error", *wanted.max_error);
     all.emplace_back("seed", static_cast<double>(wanted.seed));
+    if (spectrum) return header;
     all.emplace_back("colour.observer", std::string("CIE 1931 2 deg, D65, every 20 nm"));
     return header;
 }
@@ -78,6 +89,8 @@ nlohmann::ordered_json make_profile_table(const Device& device, const Job& job,
                                           const std::function<void(double)>& after_each)
 {
     return located(job.where, [&]() -> nlohmann::ordered_json {
+        if (job.header.quantity == "reflectance_r")
+            return make_radial_table(device, job, after_each);
         const auto sets = sets_of(*job.skin);
         Table table{job.header, std::vector<std::vector<double>>(job.header.channels.size())};
         nlohmann::ordered_json fits = nlohmann::ordered_json::array();

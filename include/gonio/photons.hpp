@@ -32,6 +32,9 @@ struct PhotonTallies {
     double time_width = 1;                           ///< ps
     std::size_t rows = 0, angles = 1;                ///< of reflected and transmitted; angles >= 1
     std::size_t depths = 0, absorbed_radii = 0;
+    /// Reflected light by distance at several wavelengths besides, all of the same paths: by how
+    /// much layers absorb more than those of the medium, 1/cm, [wavelength][layer].
+    std::vector<std::vector<double>> spectrum = {};
 
     std::size_t exit_bins() const { return (rows + 1) * angles; }
     std::size_t absorbed_bins() const { return (depths + 1) * (absorbed_radii + 1); }
@@ -68,13 +71,17 @@ struct PhotonResult {
     Fraction took, gave;                                     ///< by roulette
     std::vector<Fraction> absorption;                        ///< in each layer
     std::vector<Fraction> reflected, transmitted, absorbed;  ///< bins as PhotonTallies says
+    std::vector<Fraction> spectrum;                          ///< [row][wavelength]
+    std::vector<Fraction> spectrum_total;  ///< [wavelength]; all that leaves upwards
+    std::vector<double> spectrum_squares;  ///< [wavelength]; the mean of a photon's squared score
 };
 
 /// The simulation of one request, which goes on as long as it is asked to.
 class PhotonTracer {
 public:
-    /// Throws UsageError as validate() does, for an incidence or a radius out of range, and where
-    /// the tallies do not fit into the device's memory.
+    /// Throws UsageError as validate() does, for an incidence or a radius out of range, a spectrum
+    /// that absorbs less than the medium or has rows that are no radii, and where the tallies do
+    /// not fit into the device's memory.
     PhotonTracer(const Device& device, const LayeredMedium& medium, const PhotonRequest& request);
     ~PhotonTracer();
     PhotonTracer(const PhotonTracer&) = delete;

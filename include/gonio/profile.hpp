@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How light spreads below the surface of skin, as renderers load it: R(r) by photons, the functions
-// that are fitted to it, and the light that bleeds around a curved surface.
+// How light spreads below the surface of skin: R(r) by photons, as a spectrum and as renderers load
+// it, the functions that are fitted to it, and the light that bleeds around a curved surface.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "gonio/device.hpp"
@@ -27,9 +28,32 @@ struct RadialProfile {
 struct ProfileRequest {
     double width = 0.002;  ///< of a ring, cm
     std::size_t rings = 500;
-    std::uint64_t photons = 100'000;  ///< in each band
+    std::uint64_t photons = 100'000;  ///< that a wavelength sees, at most; up to 2^48
+    /// Of R(r) at each wavelength, the largest standard error over the largest value: fewer photons
+    /// may do. Of spectra only.
+    std::optional<double> max_error = {};
     std::uint64_t seed = 1;
 };
+
+/// The light of a thin beam along the normal that skin returns at each wavelength, without what its
+/// surface reflects. Wavelengths share photons, and so their noise.
+struct RadialSpectrum {
+    double width = 0;                               ///< of a ring, cm
+    std::vector<std::vector<Fraction>> rings = {};  ///< [wavelength][ring]
+    std::vector<Fraction> total = {};               ///< with what leaves beyond the last ring
+    std::vector<double> effective_photons = {};     ///< (sum of weights)^2 / sum of squared ones
+    std::vector<std::uint64_t> photons = {};        ///< of each base
+    double kernel_seconds = 0;
+};
+
+/// Absorption is exchanged along each path, exactly. Where scattering changes with the wavelength,
+/// photons of several bases are interpolated between; what that is off, by a rule with one base
+/// less, is in the errors. `after_each` as in trace_profile(). wavelengths: nm, monotonic. Throws
+/// as Skin::layers_at() and PhotonTracer do.
+RadialSpectrum trace_spectrum(
+    const Device& device, const Skin& skin, const std::vector<double>& wavelengths,
+    const ProfileRequest& request,
+    const std::function<void(double part_done)>& after_each = [](double) {});
 
 /// Layers as a part of the spectrum sees them, and the linear sRGB of its light.
 struct ColourBand {
@@ -41,8 +65,9 @@ struct ColourBand {
 /// neighbours, is to the CIE 1931 observer in D65. Throws as Skin::layers_at().
 std::vector<ColourBand> bands_of(const Skin& skin);
 
-/// Follows photons in each band. `after_each` is called after each launch; what it throws ends the
-/// work. Throws as PhotonTracer does.
+/// Follows photons for all bands, which share them as wavelengths of trace_spectrum() do.
+/// `after_each` is called after each launch; what it throws ends the work. Throws as PhotonTracer
+/// does.
 RadialProfile trace_profile(
     const Device& device, const std::vector<ColourBand>& bands, const ProfileRequest& request,
     const std::function<void(double part_done)>& after_each = [](double) {});

@@ -2,7 +2,7 @@
 // What photons do at the end of a layer: they are reflected, cross, or leave.
 #ifndef GONIO_PHOTON_BOUNDARY
 #define GONIO_PHOTON_BOUNDARY
-#include "photon/packet.cl"
+#include "photon/spectrum.cl"
 
 typedef struct {
     real reflectance, cosine;  ///< cosine: behind the boundary
@@ -88,6 +88,9 @@ static inline void leave_above(packet* p, mask_t lanes, const scene* s)
 #endif
     count_exits(p, lanes, FIRST_REFLECTED, s);
 #endif
+#if SPECTRUM
+    count_spectrum(p, lanes, s);
+#endif
 }
 
 static inline void leave_below(packet* p, mask_t lanes, const scene* s)
@@ -107,6 +110,9 @@ static inline void meet_boundary(packet* p, mask_t lanes, word bits_cosine, word
                                  float bottom_albedo, const scene* s)
 {
     count_deposits(p, lanes, s);
+#if SPECTRUM
+    end_paths(p, lanes);
+#endif
     const mask_t up = less(p->u.z, (real)(R(0.0)));
     p->z = choose(lanes, choose(up, (real)(R(0.0)), p->thickness), p->z);
 #if BOTTOM != 0

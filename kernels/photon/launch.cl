@@ -88,6 +88,11 @@ static inline void launch(packet* p, supply* from, const source* light, const sc
 #if ROW == 2
     p->optical_path = choose(starts, (real)(R(0.0)), p->optical_path);
 #endif
+#if SPECTRUM
+    p->path = choose(starts, (real)(R(0.0)), p->path);
+#define START_PATH(k) p->paths[k] = choose(starts, (real)(R(0.0)), p->paths[k]);
+    EACH_LAYER(START_PATH)
+#endif
     p->u.x = choose(starts, u.x, p->u.x);
     p->u.y = choose(starts, u.y, p->u.y);
     p->u.z = choose(starts, u.z, p->u.z);

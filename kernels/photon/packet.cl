@@ -8,6 +8,7 @@
 //   - REFLECTED, TRANSMITTED: tally by [row][angle]; ABSORBED by [depth][radius]
 //   - ROW: what rows are, 0 distance from the axis, 1 azimuth, 2 length of the optical path; by
 //     azimuth only what was scattered is told apart
+//   - SPECTRUM: tally reflected light at several wavelengths (photon/spectrum.cl)
 #ifndef GONIO_PHOTON_PACKET
 #define GONIO_PHOTON_PACKET
 #include "photon/phase.cl"
@@ -38,6 +39,9 @@
 #ifndef ROW
 #define ROW 0
 #endif
+#ifndef SPECTRUM
+#define SPECTRUM 0
+#endif
 
 #define WHOLE_PHOTON 1073741824u
 #define FOR_LANES(i) for (uint i = 0; i < WIDTH; ++i)
@@ -60,6 +64,10 @@ typedef struct {
 #if ROW == 2
     real index, optical_path;
 #endif
+#if SPECTRUM
+    real path;           ///< in this layer, and not yet in
+    real paths[LAYERS];  ///< cm
+#endif
     phase_function phase;
 } packet;
 
@@ -68,6 +76,7 @@ typedef struct {
     global ulong* tallies;
     global const float *layers, *phases;
     float row_bins_per_unit, radius_bins_per_cm, depth_bins_per_cm;
+    uint wavelengths;
 } scene;
 
 static inline float layer_value(const scene* s, int layer, int field)

@@ -70,6 +70,9 @@ static inline void make_step(packet* p, float bottom_albedo, const scene* s)
 #if ROW == 2
     p->optical_path = fma(p->index, path, p->optical_path);
 #endif
+#if SPECTRUM
+    p->path += path;
+#endif
 
     // What is absorbed is rounded up or down by chance, so that its mean is exact.
     const word chance = (bits_path & 255) << 8 | (bits_cosine & 255);
@@ -105,14 +108,15 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
                       const float sine, const float cosine, const uint weight, const float ratio,
                       const float excess, const float radius_x, const float radius_y,
                       const float bottom_albedo, const float row_bins_per_unit,
-                      const float radius_bins_per_cm, const float depth_bins_per_cm)
+                      const float radius_bins_per_cm, const float depth_bins_per_cm,
+                      const uint wavelengths)
 {
     const source light = {sine, cosine, weight, ratio, excess, radius_x, radius_y};
 #if !SHARED_TALLIES
     tallies += get_global_id(0) * sums;
 #endif
-    const scene s = {tallies,          layers, phases, row_bins_per_unit, radius_bins_per_cm,
-                     depth_bins_per_cm};
+    const scene s = {tallies,           layers,     phases, row_bins_per_unit, radius_bins_per_cm,
+                     depth_bins_per_cm, wavelengths};
     supply from = {taken, 0, 0, count, first, seed};
     const real zero = (real)(R(0.0));
     const word none = (word)(0);
@@ -122,6 +126,11 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
     p.weight = p.deposited = none;
 #if ROW == 2
     p.optical_path = zero;
+#endif
+#if SPECTRUM
+    p.path = zero;
+#define NO_PATH(k) p.paths[k] = zero;
+    EACH_LAYER(NO_PATH)
 #endif
     p.layer = p.steps = p.scattered = (mask_t)(0);
 #if CLEAR_TOP

@@ -38,6 +38,8 @@ TEST(SmallSimulations, LoseNoLight)
                            .angles = 3,
                            .depths = 3,
                            .absorbed_radii = 3};
+        if (rows[k] == ExitRow::radius)
+            request.tallies.spectrum.assign(3, std::vector<double>(7, 2.0));
         const PhotonResult result = simulate_photons(medium(bottoms[k]), request, photons);
         double ended = result.specular.mean + result.diffuse_reflectance.mean +
                        result.unscattered_transmittance.mean + result.diffuse_transmittance.mean +

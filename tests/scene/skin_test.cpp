@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "gonio/colour.hpp"
+#include "gonio/errors.hpp"
 #include "gonio/job.hpp"
 #include "output/table_json.hpp"
 #include "reference/adding_doubling.hpp"
@@ -91,7 +92,7 @@ TEST(SceneOfSkin, IsCheckedBefore)
               "`skin/whole_blood.csv`");
     EXPECT_EQ(refusal(skin + "quantity = @\"colour\"\n"),
               "there is no quantity `colour`; known are: reflectance_spectrum, colour_rgb, "
-              "colour_xyz, profile_rgb, preintegrated_rgb");
+              "colour_xyz, reflectance_r, profile_rgb, preintegrated_rgb");
     EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\naxes = @{ wavelength = { values = [500] } "
                              "}\n"),
               "the quantity `colour_rgb` has no axes");
@@ -109,6 +110,38 @@ TEST(SceneOfSkin, IsCheckedBefore)
     EXPECT_EQ(refusal(arm + "quantity = \"preintegrated_rgb\"\naxes = @{ n_dot_l = { values = "
                             "[-1, 1] }, curvature = { values = [0, 20] } }\n"),
               "`curvature` is 20; allowed is 0 to 10");
+}
+
+TEST(SceneOfSkin, SpreadsLightOfEachWavelength)
+{
+    const std::string arm =
+        "[[material]]\nname = \"arm\"\nskin = \"meglinski_2002\"\n[[table]]\nmaterial = \"arm\"\n"
+        "format = \"npy\"\nquantity = \"reflectance_r\"\n";
+    const std::string axes =
+        "axes = { wavelength = { values = [450, 650] }, r = { to = 0.2, count = 4 } }\n";
+    Job job =
+        plan_jobs(parse_scene(arm + axes + "photons = 4096\n", "s.toml"), testing::TempDir())[0];
+    const auto run = make_profile_table(Device(), job, [](double) {});
+    const Table table = read_table(job.path);
+    EXPECT_EQ(definition(job), text_of(to_json(table.header)));
+    EXPECT_EQ(table.header.channels, (std::vector<std::string>{"Y", "Y.error"}));
+    EXPECT_GT(table.values[0][4], table.values[0][0]);  // red light comes back, and spreads
+    EXPECT_GT(table.values[0][7] / table.values[0][4], table.values[0][3] / table.values[0][0]);
+    EXPECT_EQ(run.at("photons"), 4096);
+    EXPECT_EQ(run.at("spectra")[0].at("effective_photons").size(), 2U);
+
+    const Job strict =
+        plan_jobs(parse_scene(arm + axes + "photons = 4096\nmax_error = 1e-4\n", "s.toml"),
+                  testing::TempDir())[0];
+    EXPECT_THROW(make_profile_table(Device(), strict, [](double) {}), RunError);
+    EXPECT_EQ(
+        refusal(arm + "axes = @{ r = { to = 1, count = 9 } }\n"),
+        "the quantity `reflectance_r` needs axes = { wavelength = { values = [400, 410, …] }, "
+        "r = { to = …, count = … } }");
+    EXPECT_EQ(refusal(arm + "axes = @{ wavelength = { values = [100] }, r = { to = 1, count = 9 } "
+                            "}\n")
+                  .substr(0, 34),
+              "100 nm: skin `meglinski_2002` is k");
 }
 
 TEST(SceneOfSkin, SpreadsLight)
