@@ -45,8 +45,8 @@ TEST(RadialSpectrum, IsThatOfSeparateRuns)
     const Skin skin(find_skin_model("meglinski_2002"));
     const std::vector<double> wavelengths = {400, 450, 542, 577, 650, 760};
     const auto spectrum = trace_spectrum(Device(), skin, wavelengths,
-                                         {.width = width, .rings = rings, .photons = 4 * photons});
-    EXPECT_EQ(spectrum.photons, std::vector{4 * photons});
+                                         {.width = width, .rings = rings, .photons = 16 * photons});
+    EXPECT_EQ(spectrum.photons, std::vector{16 * photons});
     test::ZTest noise;
     for (std::size_t k = 0; k < wavelengths.size(); ++k) {
         const PhotonResult alone = separate_run(skin, wavelengths[k]);
@@ -55,8 +55,8 @@ TEST(RadialSpectrum, IsThatOfSeparateRuns)
             noise.add(std::to_string(wavelengths[k]) + " ring " + std::to_string(ring),
                       {shared.mean, std::hypot(shared.error, own.error)}, own.mean, photons);
         }
-        EXPECT_GT(spectrum.effective_photons[k], 0.1 * 4 * photons);
-        EXPECT_LT(spectrum.effective_photons[k], 4 * photons);
+        EXPECT_GT(spectrum.effective_photons[k], 0.1 * 16 * photons);
+        EXPECT_LT(spectrum.effective_photons[k], 16 * photons);
     }
     add_totals(noise, skin, wavelengths, spectrum);
     noise.expect_only_noise();
