@@ -94,7 +94,7 @@ std::string estimate_text(const std::vector<Job>& jobs, double values_per_second
         const auto& channels = job.header.channels;
         const auto shape =
             fmt::format("{} x {}", shape_text(job.header),
-                        channels.size() <= 4 ? fmt::format("{}", fmt::join(channels, ""))
+                        channels.size() <= 4 ? fmt::format("{}", fmt::join(channels, ","))
                                              : fmt::format("{} channels", channels.size()));
         text += line(job.path.string(), shape, cost);
     }

@@ -54,7 +54,7 @@ TEST(Estimate, IsALineForEachJobAndTheSum)
     const auto text = estimate_text({planned("", small), planned("format = \"npy\"", large)}, 1e9);
     EXPECT_EQ(std::ranges::count(text, '\n'), 3);
     EXPECT_THAT(text, HasSubstr("tables/steel-brdf.exr"));
-    EXPECT_THAT(text, HasSubstr("10 x 20 x 30 x RGB"));
+    EXPECT_THAT(text, HasSubstr("10 x 20 x 30 x R,G,B"));
     EXPECT_THAT(text, HasSubstr("70.3 KiB on disk"));
     EXPECT_THAT(text, HasSubstr("11.2 GiB on disk"));
     EXPECT_THAT(text, HasSubstr("128 MiB in memory"));
