@@ -10,6 +10,7 @@
 #include "gonio/scene.hpp"
 #include "opencl/store_rate.hpp"
 #include "output/check.hpp"
+#include "picture/explain_picture.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/explain.hpp"
@@ -23,13 +24,18 @@ struct PlanOptions {
     bool json = false;
 };
 
+nlohmann::ordered_json json_of(const std::vector<LeftOut>& left_out)
+{
+    nlohmann::ordered_json array = nlohmann::ordered_json::array();
+    for (const auto& [what, why, saving] : left_out) {
+        array.push_back({{"what", what}, {"why", why}});
+        if (saving) array.back()["saving"] = *saving;
+    }
+    return array;
+}
+
 nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estimate& cost)
 {
-    nlohmann::ordered_json left_out = nlohmann::ordered_json::array();
-    for (const auto& [what, why, saving] : plan.left_out) {
-        left_out.push_back({{"what", what}, {"why", why}});
-        if (saving) left_out.back()["saving"] = *saving;
-    }
     nlohmann::ordered_json json{{"file", job.path.string()},
                                 {"quantity", job.header.quantity},
                                 {"solver", plan.solver},
@@ -40,11 +46,18 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
                                 {"file_bytes", cost.file_bytes},
                                 {"memory_bytes", cost.memory_bytes},
                                 {"finished", plan.finished},
-                                {"left_out", left_out}};
+                                {"left_out", json_of(plan.left_out)}};
     if (job.header.find("interpolation.error"))
         json["interpolation_error"] = job.interpolation_error;
     if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
     return json;
+}
+
+void print(const std::vector<LeftOut>& left_out)
+{
+    for (const auto& [what, why, saving] : left_out)
+        fmt::print("    left out: {}: {}{}\n", what, why,
+                   saving ? fmt::format(" ({:.3g} times the work)", *saving) : "");
 }
 
 void print(const Job& job, const JobPlan& plan)
@@ -59,16 +72,40 @@ void print(const Job& job, const JobPlan& plan)
         fmt::print(
             "    grid: interpolation is off by {:.2g} of the largest value, {:.2g} is asked\n",
             job.interpolation_error, job.max_error);
-    for (const auto& [what, why, saving] : plan.left_out)
-        fmt::print("    left out: {}: {}{}\n", what, why,
-                   saving ? fmt::format(" ({:.3g} times the work)", *saving) : "");
+    print(plan.left_out);
+}
+
+nlohmann::ordered_json json_of(const PicturePlan& plan, unsigned width)
+{
+    nlohmann::ordered_json stages = nlohmann::ordered_json::array();
+    for (const PictureStage& stage : plan.stages)
+        stages.push_back({{"what", stage.what},
+                          {"kernel", stage.kernel},
+                          {"definitions", stage.definitions},
+                          {"share", stage.share}});
+    return {{"width", width}, {"stages", stages}, {"left_out", json_of(plan.left_out)}};
+}
+
+void print(const PictureRequest& picture, const PicturePlan& plan, unsigned width)
+{
+    fmt::print("picture: {} x {} pixels, width {}\n", picture.width, picture.height, width);
+    for (const PictureStage& stage : plan.stages) {
+        fmt::print("    {}", stage.what);
+        if (!stage.kernel.empty()) fmt::print(", {}", stage.kernel);
+        if (!stage.definitions.empty()) fmt::print(" with {}", fmt::join(stage.definitions, " "));
+        fmt::print("{}\n", stage.share > 0
+                               ? fmt::format(" ({:.0f} % of the work)", 100 * stage.share)
+                               : "");
+    }
+    print(plan.left_out);
 }
 
 void plan_scene(const PlanOptions& options)
 {
-    const std::vector<Job> jobs = plan_jobs(load_scene(options.scene), options.output);
+    const Scene scene = load_scene(options.scene);
+    const std::vector<Job> jobs = plan_jobs(scene, options.output);
     const Device device = options.device.open();
-    const double rate = 0.5 * stored_values_per_second(device);
+    const double rate = jobs.empty() ? 0 : 0.5 * stored_values_per_second(device);
     const std::vector<const Job*> twins = equal_jobs(jobs);
     std::vector<JobPlan> plans;
     for (std::size_t k = 0; k < jobs.size(); ++k) {
@@ -77,15 +114,19 @@ void plan_scene(const PlanOptions& options)
             plans[k].left_out.push_back(
                 {"all of it", fmt::format("it equals {}", twin->path.string()), {}});
     }
+    std::optional<PicturePlan> picture;
+    if (scene.picture) picture = explain(device, *scene.picture, scene.materials);
     if (!options.json) {
         for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k]);
-        fmt::print("\n{}", estimate_text(jobs, rate));
+        if (picture) print(*scene.picture, *picture, device.width());
+        if (!jobs.empty()) fmt::print("\n{}", estimate_text(jobs, rate));
         return;
     }
-    nlohmann::ordered_json array = nlohmann::ordered_json::array();
+    nlohmann::ordered_json json{{"tables", nlohmann::ordered_json::array()}};
     for (std::size_t k = 0; k < jobs.size(); ++k)
-        array.push_back(json_of(jobs[k], plans[k], estimate(jobs[k], rate)));
-    fmt::print("{}\n", nlohmann::ordered_json{{"tables", array}}.dump(2));
+        json["tables"].push_back(json_of(jobs[k], plans[k], estimate(jobs[k], rate)));
+    if (picture) json["picture"] = json_of(*picture, device.width());
+    fmt::print("{}\n", json.dump(2));
 }
 
 }  // namespace
@@ -93,7 +134,8 @@ void plan_scene(const PlanOptions& options)
 void add_plan(CLI::App& app)
 {
     CLI::App* verb = app.add_subcommand(
-        "plan", "Say what `run` would compute for a scene, what it leaves out, and why");
+        "plan",
+        "Say what `run` and `picture` would compute for a scene, what they leave out, and why");
     const auto options = std::make_shared<PlanOptions>();
     verb->add_option("SCENE", options->scene, "scene file (TOML)")->required();
     verb->add_option("-o,--output", options->output,

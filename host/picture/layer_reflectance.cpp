@@ -14,7 +14,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t nodes = 25;
+constexpr std::size_t nodes = LayerReflectance::angles;
 constexpr double least_root = 0.05;  // of a node's cosine
 constexpr double tolerance = 1e-3;
 

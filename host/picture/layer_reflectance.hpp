@@ -2,6 +2,7 @@
 // What layers return, as pictures need it.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -19,6 +20,8 @@ namespace gonio {
 /// reciprocal, and right in energy for every direction of light.
 class LayerReflectance {
 public:
+    static constexpr std::size_t angles = 25;  ///< that are solved, in each band
+
     /// `after_each` is called after each band, by several threads; what it throws ends the work.
     LayerReflectance(
         const Device& device, const std::vector<ColourBand>& bands, const Material& surface,

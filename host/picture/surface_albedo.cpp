@@ -13,7 +13,7 @@ namespace {
 
 using glm::dvec3;
 
-constexpr std::size_t cosines = 64, brushed_azimuths = 24;
+constexpr std::size_t cosines = SurfaceAlbedo::cosines, brushed_azimuths = 24;
 constexpr double max_error = 1e-5;
 
 /// At even steps of the square root, which is steep where the cosine is small; none is 0.

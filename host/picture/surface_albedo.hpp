@@ -2,6 +2,7 @@
 // What a surface in a picture reflects of uniform light.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace gonio {
 /// brushed materials, 24 azimuths. They are exact to 1e-5 in the table and to 1e-3 between.
 class SurfaceAlbedo {
 public:
+    static constexpr std::size_t cosines = 64;
+
     /// Without lobes all of it is 0.
     SurfaceAlbedo(const Device& device, const Material& surface);
 

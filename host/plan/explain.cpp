@@ -89,7 +89,7 @@ void explain_layers(JobPlan& plan, const Device& device, const Job& job)
     if (light.solver == "adding_doubling")
         return leave_out_photons(plan, light.budget.max_error.value_or(default_error));
     const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);
-    plan.kernel = "photon/launch.cl";
+    plan.kernel = "photon/transport.cl";
     plan.width = device.width();
     plan.definitions =
         photon_program(light.medium, {.light = light.light, .tallies = tallies}).definitions;
@@ -104,7 +104,7 @@ void explain_layers(JobPlan& plan, const Device& device, const Job& job)
 void explain_skin(JobPlan& plan, const Device& device, const Job& job)
 {
     if (job.profile) {
-        plan.kernel = "photon/launch.cl";
+        plan.kernel = "photon/transport.cl";
         plan.width = device.width();
         if (job.header.quantity != "reflectance_r")
             return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them",

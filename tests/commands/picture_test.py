@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """picture_test.py GONIO: what a user sees of `gonio picture`."""
 
+import json
 import os
 import pathlib
 import pty
@@ -107,6 +108,14 @@ class Picture(unittest.TestCase):
         self.interrupted_at("large.toml: rays", "large.toml", "-o", "a.exr", "-o", "a.png")
         names = {"a.obj", "scene.toml", "many.toml", "large.toml", "scene.png"}
         self.assertEqual({path.name for path in self.at.iterdir()}, names)
+
+    def test_plan_tells_what_a_picture_computes(self):
+        plan = subprocess.run([GONIO, "plan", self.scene(), "--json"], cwd=self.at, check=True,
+                              capture_output=True).stdout
+        picture = json.loads(plan)["picture"]
+        self.assertEqual([stage["kernel"] for stage in picture["stages"]], ["", "table.cl"])
+        self.assertIn({"what": "albedo of `grey`", "why": "there is no uniform light"},
+                      picture["left_out"])
 
     def test_layers_are_grey(self):
         (self.at / "layers.toml").write_text(

@@ -12,8 +12,7 @@
 #include "picture/layer_reflectance.hpp"
 #include "picture/mesh_fixtures.hpp"
 #include "picture/picture_material.hpp"
-#include "reference/adding_doubling.hpp"
-#include "reference/layered_brdf.hpp"
+#include "verify/picture_errors.hpp"
 
 namespace gonio {
 namespace {
@@ -59,23 +58,7 @@ TEST_F(SkinInPictures, LayersReturnWhatSpectraSayOfTheLightThatTheSurfaceLeaves)
 // The layers' own BRDF at 600 nm, solved, against the shape that pictures take for it.
 TEST_F(SkinInPictures, TheSeparableShapeIsNearTheLayersOwn)
 {
-    const LayeredMedium medium = skin().layers_at(600);
-    const std::vector<double> theta{0.0, M_PI / 6, M_PI / 3}, azimuth{0, M_PI / 2, M_PI};
-    const auto brdf = reference::layered_brdf_to(medium, theta, theta, azimuth, 1e-3);
-    const auto solution = reference::solve_layers_to(medium, {.incidence = theta}, 1e-4);
-    const auto rho = [&](std::size_t k) {
-        return solution.collimated[k].budget.diffuse_reflectance;
-    };
-    double worst = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t o = 0; o < 3; ++o)
-            for (std::size_t a = 0; a < 3; ++a) {
-                const double separable =
-                    rho(i) * rho(o) / (M_PI * solution.diffuse.budget.diffuse_reflectance);
-                const double off = separable / brdf.values[(i * 3 + o) * 3 + a] - 1;
-                worst = std::max(worst, std::abs(off));
-            }
-    EXPECT_LT(worst, 0.08);
+    EXPECT_LT(error_of_separable_shape(skin().layers_at(600)), 0.08);
 }
 
 // All light that comes back from the surface and from the layers, whatever spreads in between.

@@ -15,8 +15,6 @@
 #include "compute/shared_device.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/material.hpp"
-#include "gonio/scene.hpp"
-#include "opencl/state.hpp"
 #include "picture/mesh_fixtures.hpp"
 #include "picture/surface.hpp"
 
@@ -232,46 +230,6 @@ TEST_F(Pictures, BitsDoNotDependOnTheVectorWidth)
     const Table narrow = picture(material, rest);
     device() = std::make_unique<Device>("", 8);
     EXPECT_EQ(wide.values, narrow.values);
-}
-
-/// How many programs a picture had to build.
-std::size_t built(const PictureRequest& request, const std::vector<SceneMaterial>& materials)
-{
-    const Device fresh;
-    make_picture(fresh, request, materials);
-    return fresh.state().programs.size();
-}
-
-TEST_F(Pictures, NothingIsCompiledThatTheyDoNotNeed)
-{
-    folder_.add("ball.obj", test::sphere_obj(12, 24));
-    const auto lobes = [](const char* name) {
-        return SceneMaterial{name, std::vector{default_lobe(name)}, {}, {}};
-    };
-    const SceneMaterial layers{"layers", LayeredMedium{.layers = {{.mus = 10}}}, {}, {}};
-    const std::vector<SceneMaterial> materials{lobes("lambert"), lobes("phong"), layers};
-    PictureRequest request;
-    request.width = request.height = 8;
-    request.photons = 1000;
-    request.camera = {.from = {0, 0, 4}, .to = {0, 0, 0}};
-    const PictureMesh seen{.file = folder_.path() / "ball.obj", .where = {}};
-    PictureMesh hidden = seen, behind = seen;
-    hidden.material = 1;
-    hidden.scale = 0.5;
-    behind.material = 2;
-    behind.translate = {0, 20, 20};
-    request.meshes = {seen, hidden, behind};
-    EXPECT_EQ(built(request, materials), 0u) << "without a light";
-    request.lights = {DirectionalLight{{0, 0, 1}, dvec3(0)}};
-    EXPECT_EQ(built(request, materials), 0u) << "in black light";
-    request.lights = {DirectionalLight{{0, 0, 1}, dvec3(1)}};
-    EXPECT_EQ(built(request, materials), 1u) << "lambert at points";
-    request.lights = {DirectionalLight{{0, 0, -1}, dvec3(1)}};
-    EXPECT_EQ(built(request, materials), 0u) << "lit from behind";
-    request.lights = {UniformLight{dvec3(1)}};
-    EXPECT_EQ(built(request, materials), 1u) << "lambert's albedo";
-    request.meshes.front().material = 2;
-    EXPECT_EQ(built(request, materials), 2u) << "photons and spread, and no surface";
 }
 
 TEST_F(Pictures, OfBadMeshesAreRefusedWithTheScenesPlace)
