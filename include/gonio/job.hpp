@@ -47,8 +47,8 @@ struct Job {
     std::vector<IntegralCell> cells;        ///< in place of the grid, in the order of the table
     double max_error = 1e-6;  ///< of an integral, or of interpolation on a grid that was fitted
     double interpolation_error = 0;  ///< that such a grid has
-    bool must_reach = false;  ///< it is an error if the max_error asked for is not reached
-    TableHeader header;       ///< swept axes first, then those of the grid or the cells
+    bool must_reach = false;         ///< it is an error if the max_error asked for is not reached
+    TableHeader header;              ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;

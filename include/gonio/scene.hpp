@@ -73,10 +73,10 @@ struct TableRequest {
     const Quantity* quantity = nullptr;
     std::optional<Grid> grid;  ///< set, or fit is, exactly if quantity->on_grid
     std::optional<GridFit> fit;
-    std::vector<Axis> axes;    ///< else the quantity's, from the outermost
-    std::string solver;        ///< one of quantity->solvers
-    LightSource light;         ///< of layers
-    std::uint64_t seed = 1;    ///< of the solver monte_carlo
+    std::vector<Axis> axes;  ///< else the quantity's, from the outermost
+    std::string solver;      ///< one of quantity->solvers
+    LightSource light;       ///< of layers
+    std::uint64_t seed = 1;  ///< of the solver monte_carlo
     Budget budget;
     Storage storage;
     Where where;
