@@ -14,7 +14,7 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t angles = 9, radii = 20;
+constexpr std::size_t radii = 20;
 
 /// What photons find, over what is right.
 struct Errors {

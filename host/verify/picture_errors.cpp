@@ -24,9 +24,10 @@ EnteringLight half_lit_plane()
 {
     EnteringLight seen{columns, rows, {}, {}, std::vector<double>(columns * rows, side * side)};
     for (std::size_t k = 0; k < columns * rows; ++k) {
-        seen.place.emplace_back(side * static_cast<double>(k % columns),
-                                side * static_cast<double>(k / columns), 0);
-        seen.light.emplace_back(k % columns >= columns / 2 ? 1 : 0);
+        const std::size_t column = k % columns, row = k / columns;
+        seen.place.emplace_back(side * static_cast<double>(column), side * static_cast<double>(row),
+                                0);
+        seen.light.emplace_back(column >= columns / 2 ? 1 : 0);
     }
     return seen;
 }
