@@ -83,8 +83,8 @@ bool run_sections(const Device& device, const BenchOptions& options,
     std::vector<double> stored;
     const auto watch = [&] {
         for (int k = 0; k < 3; ++k) stored.push_back(store.seconds());
-        const Spread spread = spread_of(stored);
-        report.about["noise"] = (spread.high - spread.low) / spread.median;
+        const Quartiles all = quartiles_of(stored);
+        report.about["noise"] = (all.high - all.low) / all.median;
     };
     try {
         watch();

@@ -9,13 +9,13 @@
 namespace gonio {
 namespace {
 
-bool apart(const Spread& a, const Spread& b)
+bool apart(const Quartiles& a, const Quartiles& b)
 {
     return a.high < b.low || b.high < a.low;
 }
 
 /// Quartiles of the ratio b / a, as far as those of a and b tell.
-std::string ratio(const Spread& a, const Spread& b)
+std::string ratio(const Quartiles& a, const Quartiles& b)
 {
     if (a.median == b.median) return fmt::format("{:>22}", "same");
     if (!(a.low > 0))

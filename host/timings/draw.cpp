@@ -27,7 +27,7 @@ bool is_shown(const BenchPlot& plot, const BenchPoint& point)
 }
 
 /// From the numbers themselves, with some room around them.
-Scale scale_of(const BenchPlot& plot, Spread BenchPoint::*which, bool logarithmic)
+Scale scale_of(const BenchPlot& plot, Quartiles BenchPoint::*which, bool logarithmic)
 {
     double least = HUGE_VAL, greatest = -HUGE_VAL;
     for (const BenchPoint& point : plot.points) {

@@ -242,7 +242,7 @@ BenchPlot bench_generators(const BenchRun& run)
     std::vector<std::function<double()>> runs;
     for (const Generator& generator : generators())
         runs.emplace_back([&generator] { return nanoseconds_each(generator); });
-    const std::vector<Spread> speeds = interleaved(runs, run.rounds());
+    const std::vector<Quartiles> speeds = interleaved(runs, run.rounds());
     for (std::size_t k = 0; k < found.size(); ++k)
         plot.points.push_back({std::string(generators()[k].name),
                                fmt::format("{} photons", photons),

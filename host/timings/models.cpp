@@ -45,10 +45,10 @@ void measure_model(const BenchRun& run, const Device& device, const Model& model
 {
     Evaluation evaluation(device, model);
     StoreRate store(run.device.state());
-    const std::vector<Spread> seconds = interleaved(
+    const std::vector<Quartiles> seconds = interleaved(
         {[&] { return evaluation.seconds(); }, [&] { return store.seconds(); }}, run.rounds());
     const auto nanoseconds = [](double all) { return all * 1e9 / double(cells); };
-    const Spread& own = seconds[0];
+    const Quartiles& own = seconds[0];
     const double roof = seconds[1].median * double(cells) / StoreRate::count;
     plot.points.push_back(
         {fmt::format("width {}", device.width()),

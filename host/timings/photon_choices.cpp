@@ -52,7 +52,7 @@ BenchPoint scalar(const BenchRun& run, bool analogue)
                  .diffuse_reflectance;
     };
     const auto each = [&] { return seconds_on_the_wall(simulate) * 1e6 / double(photons); };
-    const Spread took = interleaved({each}, run.quick ? 1 : 3).front();
+    const Quartiles took = interleaved({each}, run.quick ? 1 : 3).front();
     return {"scalar reference, one core", analogue ? "analogue absorption" : "absorption by weight",
             took, exactly(rd.error / rd.mean * std::sqrt(double(photons)))};
 }

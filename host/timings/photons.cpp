@@ -90,7 +90,7 @@ BenchPlot bench_photons(const BenchRun& run)
                 if (bin.mean > 0) profile.add(bin.mean + bin.error, bin.mean);
             }
         }
-        const Spread took = spread_of(std::move(seconds));
+        const Quartiles took = quartiles_of(std::move(seconds));
         const std::string label = fmt::format("2^{} photons", power);
         plot.points.push_back(
             {"photons: Rd, true", label, took, exactly(reflectance.root_mean_square())});

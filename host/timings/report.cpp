@@ -16,12 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Spread& spread)
+Json json_of(const Quartiles& spread)
 {
     return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
 }
 
-Spread spread_from(const Json& json)
+Quartiles quartiles_from(const Json& json)
 {
     return {json.at("median"), json.at("low"), json.at("high")};
 }
@@ -56,8 +56,8 @@ BenchPlot plot_from(const Json& json)
                    json.at("y").at("logarithmic"),
                    json.at("joined")};
     for (const Json& point : json.at("points"))
-        plot.points.push_back({point.at("series"), point.at("label"), spread_from(point.at("x")),
-                               spread_from(point.at("y")), point.at("best"), point.at("more")});
+        plot.points.push_back({point.at("series"), point.at("label"), quartiles_from(point.at("x")),
+                               quartiles_from(point.at("y")), point.at("best"), point.at("more")});
     return plot;
 }
 
@@ -101,7 +101,7 @@ std::string page_of(const Json& results)
 
 }  // namespace
 
-Spread spread_of(std::vector<double> measurements)
+Quartiles quartiles_of(std::vector<double> measurements)
 {
     std::ranges::sort(measurements);
     const auto at = [&](std::size_t quarters) {

@@ -11,23 +11,23 @@
 namespace gonio {
 
 /// The median of measurements and the quartiles around it.
-struct Spread {
+struct Quartiles {
     double median = 0, low = 0, high = 0;
 };
 
 /// Of what is known without measuring.
-inline Spread exactly(double value)
+inline Quartiles exactly(double value)
 {
     return {value, value, value};
 }
 
 /// Measurements are not empty.
-Spread spread_of(std::vector<double> measurements);
+Quartiles quartiles_of(std::vector<double> measurements);
 
 struct BenchPoint {
     std::string series;  ///< points of one are joined by a line
     std::string label;   ///< what tells it from the others of its series
-    Spread x, y;
+    Quartiles x, y;
     bool best = false;  ///< no other point of the plot has both a smaller x and a smaller y
     std::map<std::string, double> more = {};  ///< further numbers by name
 };

@@ -92,10 +92,10 @@ BenchPlot bench_savings(const BenchRun& run)
         runs.push_back(contest.planned);
         runs.push_back(contest.general);
     }
-    const std::vector<Spread> took = interleaved(runs, run.rounds());
+    const std::vector<Quartiles> took = interleaved(runs, run.rounds());
     double planned = 0, general = 0;
     for (std::size_t k = 0; k < contests.size(); ++k) {
-        const Spread &a = took[2 * k], &b = took[2 * k + 1];
+        const Quartiles &a = took[2 * k], &b = took[2 * k + 1];
         planned += a.median;
         general += b.median;
         plot.points.push_back(

@@ -24,7 +24,7 @@ double table_seconds(const Device& device, std::size_t tile_bytes)
     });
 }
 
-Spread rate_of(double amount, const Spread& seconds)
+Quartiles rate_of(double amount, const Quartiles& seconds)
 {
     return {amount / seconds.median, amount / seconds.high, amount / seconds.low};
 }
@@ -56,10 +56,10 @@ BenchPlot bench_scaling(const BenchRun& run)
         runs.emplace_back([&part] { return table_seconds(part, std::size_t{64} << 20); });
         runs.emplace_back([&kernel] { return kernel.run(0, photons); });
     }
-    const std::vector<Spread> seconds = interleaved(runs, run.rounds());
+    const std::vector<Quartiles> seconds = interleaved(runs, run.rounds());
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const unsigned units = parts[k].info().compute_units;
-        const auto add = [&](const char* series, double amount, const Spread& took) {
+        const auto add = [&](const char* series, double amount, const Quartiles& took) {
             plot.points.push_back(
                 {series, fmt::format("{} units", units), exactly(units), rate_of(amount, took)});
         };
@@ -84,7 +84,7 @@ BenchPlot bench_tiles(const BenchRun& run)
     for (const std::size_t bytes : sizes)
         runs.emplace_back([&run, bytes] { return table_seconds(run.device, bytes); });
     runs.front()();
-    const std::vector<Spread> seconds = interleaved(runs, run.rounds());
+    const std::vector<Quartiles> seconds = interleaved(runs, run.rounds());
     for (std::size_t k = 0; k < sizes.size(); ++k)
         plot.points.push_back({"ggx", fmt::format("{} KiB", sizes[k] >> 10),
                                exactly(double(sizes[k]) * 0x1p-20),

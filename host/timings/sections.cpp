@@ -13,13 +13,13 @@ Device BenchRun::at_width(unsigned width) const
     return Device(fmt::format("{}:{}", device.info().platform, device.info().device), width);
 }
 
-std::vector<Spread> interleaved(const std::vector<std::function<double()>>& runs, int rounds)
+std::vector<Quartiles> interleaved(const std::vector<std::function<double()>>& runs, int rounds)
 {
     std::vector<std::vector<double>> seconds(runs.size());
     for (int round = 0; round < rounds; ++round)
         for (std::size_t k = 0; k < runs.size(); ++k) seconds[k].push_back(runs[k]());
-    std::vector<Spread> spreads;
-    for (std::vector<double>& all : seconds) spreads.push_back(spread_of(std::move(all)));
+    std::vector<Quartiles> spreads;
+    for (std::vector<double>& all : seconds) spreads.push_back(quartiles_of(std::move(all)));
     return spreads;
 }
 
@@ -27,7 +27,7 @@ void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds
 {
     std::vector<std::function<double()>> runs;
     for (const Candidate& candidate : candidates) runs.push_back(candidate.run);
-    const std::vector<Spread> times = interleaved(runs, rounds);
+    const std::vector<Quartiles> times = interleaved(runs, rounds);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         plot.points.push_back(std::move(candidates[k].point));
         plot.points.back().x = times[k];

@@ -25,7 +25,7 @@ struct BenchRun {
 };
 
 /// Calls each in turn, `rounds` times; each tells the seconds that it took.
-std::vector<Spread> interleaved(const std::vector<std::function<double()>>& runs, int rounds);
+std::vector<Quartiles> interleaved(const std::vector<std::function<double()>>& runs, int rounds);
 
 /// A point, and what tells its x: the time that it takes.
 struct Candidate {

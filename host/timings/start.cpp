@@ -73,7 +73,7 @@ void add_points(BenchPlot& plot, const std::string& series, Stages& all)
     for (std::size_t k = 0; k < stages; ++k)
         if (!all[k].empty())
             plot.points.push_back({series, fmt::format("stage {}", k + 1), exactly(double(k + 1)),
-                                   spread_of(std::move(all[k]))});
+                                   quartiles_of(std::move(all[k]))});
 }
 
 }  // namespace

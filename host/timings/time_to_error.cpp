@@ -58,10 +58,10 @@ BenchPlot bench_time_to_error(const BenchRun& run)
         squares.push_back(rd.error * rd.error / (rd.mean * rd.mean) * tracer.kernel_seconds());
         longest = std::max(longest, tracer.kernel_seconds());
     }
-    const Spread figure = spread_of(std::move(squares));
+    const Quartiles figure = quartiles_of(std::move(squares));
     for (const double error : asked_errors) {
         const double scale = 1 / (error * error);
-        const Spread seconds{figure.median * scale, figure.low * scale, figure.high * scale};
+        const Quartiles seconds{figure.median * scale, figure.low * scale, figure.high * scale};
         plot.points.push_back({"photons",
                                fmt::format("{:.0e}", error),
                                exactly(error),
