@@ -6,11 +6,11 @@
 static inline real ashikhmin_shirley_power(const ashikhmin_shirley_params* p, const directions* d)
 {
 #if ISOTROPIC
-    return power_of_cos_h(d, p->n_u + R(1.0));
+    return power_of_cos_h(d, (real)(p->n_u + R(1.0)));
 #else
     const real stretched = p->n_u * square(d->slope_x) + p->n_v * square(d->slope_y);
     const real exponent = R(1.0) + stretched / max(d->tan2_h, (real)(R(1e-30)));
-    return exp_of_negative(R(0.5) * exponent * log_of_one_plus(d->tan2_h));
+    return power_of_cos_h(d, exponent);
 #endif
 }
 

@@ -16,7 +16,7 @@ static inline void blinn_phong_eval(const blinn_phong_params* p, const direction
                                     real f[CHANNELS])
 {
     const real norm = blinn_phong_norm(p->form, p->exponent);
-    const real power = power_of_cos_h(d, p->exponent);
+    const real power = power_of_cos_h(d, (real)(p->exponent));
     FOR_CHANNELS(c) f[c] = p->rho_s[c] * norm * power;
 }
 
@@ -24,7 +24,7 @@ static inline void blinn_phong_eval(const blinn_phong_params* p, const direction
 static inline real blinn_phong_pdf(const blinn_phong_params* p, const directions* d)
 {
     const float norm = (p->exponent + R(1.0)) * (R(1.0) / (R(8.0) * PI));
-    return norm * power_of_cos_h(d, p->exponent) / sqrt(d->cos2_d);
+    return norm * power_of_cos_h(d, (real)(p->exponent)) / sqrt(d->cos2_d);
 }
 
 static inline mirror_offset blinn_phong_sample(const blinn_phong_params* p, const fixed_light* l,

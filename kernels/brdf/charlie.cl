@@ -18,7 +18,7 @@ static inline real charlie_fit(float roughness, real x)
     const float d = charlie_between(R(-1.27393), R(-1.97760), weight);
     const float e = charlie_between(R(-4.85967), R(-4.32054), weight);
     // 0^c is 0: the bound keeps the logarithm finite.
-    const real power = exp_of_negative(-c * log_of_positive(max(x, (real)(R(1e-35)))));
+    const real power = power_of_parts(parts_of_positive(max(x, (real)(R(1e-35)))), (real)(c));
     const real bounded = choose(less((real)(R(0.0)), x), power, (real)(R(0.0)));
     return a / (R(1.0) + b * bounded) + (d * x + e);
 }
@@ -49,7 +49,8 @@ static inline void charlie_eval(const charlie_params* p, const directions* d, re
     const float norm = (R(2.0) + inverse) * (R(0.5) / PI);
     // 1/sin^2 = 1 + 1/tan^2. At h = n the bound leaves 3e-19 of the lobe and not 0.
     const real cot2 = R(1.0) / max(d->tan2_h, (real)(R(1e-37)));
-    const real distribution = norm * exp_of_negative(R(0.5) * inverse * log_of_one_plus(cot2));
+    const real distribution =
+        norm * power_of_parts(parts_of_sum((real)(R(1.0)), cot2), (real)(R(-0.5) * inverse));
     const real lobe = distribution * charlie_visibility(p, d);
     FOR_CHANNELS(c) f[c] = p->c[c] * lobe;
 }

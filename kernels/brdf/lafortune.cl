@@ -21,7 +21,7 @@ static inline void lafortune_eval(const lafortune_params* p, const directions* d
     FOR_CHANNELS(c)
     {
         const two_floats sum = lafortune_sum(p, d, c);
-        const real power = exp_of_negative(-p->exponent[c] * log_of_sum(sum.hi, sum.lo));
+        const real power = power_of_parts(parts_of_sum(sum.hi, sum.lo), (real)(p->exponent[c]));
         f[c] = choose(less((real)(R(0.0)), sum.hi + sum.lo), power, (real)(R(0.0)));
     }
 }

@@ -6,6 +6,6 @@ static inline void minnaert_eval(const minnaert_params* p, const directions* d, 
 {
     const float norm = (p->k + R(1.0)) * (R(0.5) / PI);
     const real lobe =
-        norm * exp_of_negative((R(1.0) - p->k) * log_of_positive(d->cos_i * d->cos_o));
+        norm * power_of_parts(parts_of_positive(d->cos_i * d->cos_o), (real)(p->k - R(1.0)));
     FOR_CHANNELS(c) f[c] = p->rho[c] * lobe;
 }

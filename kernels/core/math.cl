@@ -53,57 +53,70 @@ static inline real hyperbolic_sine(real x)
     return choose(less(x, (real)(R(1.0))), fma(x * z, p, x), far);
 }
 
-/// log(1 + f) + n ln 2, with 1 + f in [sqrt 1/2, sqrt 2) and n times 2^23. Error below 2 ulp.
-static inline real log_of_parts(mask_t n_in_place, real f)
+/// A positive number as 2^n (1 + f), 1 + f in [sqrt 1/2, sqrt 2).
+typedef struct {
+    mask_t n_in_place;  ///< n times 2^23
+    real f;
+} float_parts;
+
+/// n times 2^23 of x: the offset makes the exponent field round at sqrt 2.
+static inline mask_t binary_exponent(real x)
+{
+    return (bits_of(x) - 0x3f3504f3) & (mask_t)(0xff800000);
+}
+
+/// base + x, normal and in (0, 1e38], where base is 0 or 1 or both are a sum in two floats: f is
+/// relatively accurate also where the sum is near 1.
+static inline float_parts parts_of_sum(real base, real x)
+{
+    const mask_t n = binary_exponent(base + x);
+    const real scale = as_real(0x3f800000 - n);
+    // f is made from x itself, so that what the sum rounds away is not lost.
+    const float_parts parts = {n, fma(x, scale, fma(base, scale, (real)(R(-1.0))))};
+    return parts;
+}
+
+/// Normal x in (0, 1e38].
+static inline float_parts parts_of_positive(real x)
+{
+    const mask_t n = binary_exponent(x);
+    const float_parts parts = {n, fma(x, as_real(0x3f800000 - n), (real)(R(-1.0)))};
+    return parts;
+}
+
+/// Normal x in (0, 1], of which both x and 1 - x are known: f is relatively accurate near 1.
+static inline float_parts parts_of_cosine(real x, real one_minus_x)
+{
+    float_parts parts = parts_of_positive(x);
+    // Up to 1/4, n is 0.
+    parts.f = choose(less(one_minus_x, (real)(R(0.25))), -one_minus_x, parts.f);
+    return parts;
+}
+
+/// log(1 + f) + n ln 2. Error below 2 ulp.
+static inline real log_of_parts(float_parts x)
 {
     // log(1 + f) = f + f^2 (f P(f) - 1/2), P in pairs: shorter than the chain through a division.
-    const real z = f * f;
+    const real f = x.f, z = f * f;
     const real low = fma((real)(R(-0.2500081956386566)), f, (real)(R(0.3333333134651184)));
     const real middle = fma((real)(R(-0.16623356938362122)), f, (real)(R(0.20001226663589478)));
     const real high = fma((real)(R(-0.13160184025764465)), f, (real)(R(0.14201758801937103)));
     const real top = fma((real)(R(-0.07634488493204117)), f, (real)(R(0.12761573493480682)));
     const real p = fma(fma(fma(top, z, high), z, middle), z, low);
     const real log_of_fraction = fma(z, fma(f, p, (real)(R(-0.5))), f);
-    return fma(real_of(n_in_place), (real)(R(8.26295829e-8)), log_of_fraction);
-}
-
-/// n times 2^23 of x = 2^n (1 + f): the offset makes the exponent field round at sqrt 2.
-static inline mask_t binary_exponent(real x)
-{
-    return (bits_of(x) - 0x3f3504f3) & (mask_t)(0xff800000);
-}
-
-/// log(base + x) for a normal base + x in (0, 1e38], where base is 0 or 1 or both are a sum in two
-/// floats. Relatively accurate also where the sum is near 1.
-static inline real log_of_sum(real base, real x)
-{
-    const mask_t n = binary_exponent(base + x);
-    const real scale = as_real(0x3f800000 - n);
-    // f is made from x itself, so that what the sum rounds away is not lost.
-    return log_of_parts(n, fma(x, scale, fma(base, scale, (real)(R(-1.0)))));
-}
-
-/// log(x) for normal x in (0, 1], of which both x and 1 - x are known: relatively accurate near 1.
-/// Error below 2.5 ulp, with x as rounded.
-static inline real log_of_cosine(real x, real one_minus_x)
-{
-    const mask_t n = binary_exponent(x);
-    const real f = fma(x, as_real(0x3f800000 - n), (real)(R(-1.0)));
-    // Up to 1/4, n is 0.
-    return log_of_parts(n, choose(less(one_minus_x, (real)(R(0.25))), -one_minus_x, f));
+    return fma(real_of(x.n_in_place), (real)(R(8.26295829e-8)), log_of_fraction);
 }
 
 /// log(x) for normal x in (0, 1e38].
 static inline real log_of_positive(real x)
 {
-    const mask_t n = binary_exponent(x);
-    return log_of_parts(n, fma(x, as_real(0x3f800000 - n), (real)(R(-1.0))));
+    return log_of_parts(parts_of_positive(x));
 }
 
 /// log(1 + x) for x > -1.
 static inline real log_of_one_plus(real x)
 {
-    return log_of_sum((real)(R(1.0)), x);
+    return log_of_parts(parts_of_sum((real)(R(1.0)), x));
 }
 
 /// exp(x^2) erfc(x) for x >= 0, as a polynomial in (x - 2)/(x + 2) over 1 + 2 x. Error below 5 ulp.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The errors that stand above the functions of kernels/core/math.cl, in ulp against double over
-// their ranges; and that every width gives the same bits.
+// The errors that stand above the functions of kernels/core/math.cl and power.cl, in ulp against
+// double over their ranges; and that every width gives the same bits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,6 +53,19 @@ double log_of_one_minus(double x, double)
 {
     return std::log1p(-x);
 }
+double two_to(double x, double)
+{
+    return std::exp2(x);
+}
+double power(double x, double y)
+{
+    return std::pow(x, y);
+}
+/// The y with x^y = 1e-6.
+double down_to_a_millionth(double x)
+{
+    return std::log(1e-6) / std::log(x);
+}
 double angle_of(double x, double y)
 {
     return std::atan2(x, y);
@@ -91,12 +104,16 @@ const Case cases[] = {
     {"ExpDownTo87", "exp_of_negative(x)", exp_of_negative, 16.0F, 86.9999F, nothing, 5},
     {"ExpUpTo16", "exp_of_negative(x)", exp_of_negative, -1e-9F, -16.0F, nothing, 1.4},
     {"ExpUpTo87", "exp_of_negative(x)", exp_of_negative, -16.0F, -87.0F, nothing, 5},
+    {"TwoToDownTo126", "two_to(x)", two_to, -1e-9F, -125.9999F, nothing, 2.5},
+    {"TwoToUpTo126", "two_to(x)", two_to, 1e-9F, 126.0F, nothing, 2.5},
+    {"PowerOfAMillionth", "power_of_parts(parts_of_positive(x), y)", power, 1e-6F, 0.999999F,
+     down_to_a_millionth, 45},
     {"Log", "log_of_positive(x)", log_of_positive, 1.2e-38F, 1e38F, nothing, 1},
     {"LogNearOne", "log_of_positive(x)", log_of_positive, 0.5F, 2.0F, nothing, 1},
     {"LogOfOnePlus", "log_of_one_plus(x)", log_of_one_plus, 1e-30F, 1e30F, nothing, 2},
     {"LogOfOneMinus", "log_of_one_plus(x)", log_of_one_plus, -1e-30F, -0.9999999F, nothing, 1},
-    {"LogOfCosine", "log_of_cosine(R(1.0) - x, x)", log_of_one_minus, 1e-30F, 0.9999999F, nothing,
-     2.5},
+    {"LogOfCosine", "log_of_parts(parts_of_cosine(R(1.0) - x, x))", log_of_one_minus, 1e-30F,
+     0.9999999F, nothing, 2.5},
     {"SinhUpTo16", "hyperbolic_sine(x)", hyperbolic_sine, 1e-9F, 16.0F, nothing, 2},
     {"OneLessExp", "one_less_exp_of_negative(x)", one_less_exp, 1e-30F, 87.0F, nothing, 1.5},
     {"InverseOfErfcBelow", "inverse_of_erfc(x)", inverse_of_erfc, 5.9604645e-8F, 0.99F, nothing, 9},
@@ -118,7 +135,7 @@ protected:
         std::vector<std::string> expressions;
         for (const Case& each : cases) expressions.emplace_back(each.expression);
         for (const unsigned width : {1U, 2U, 4U, 8U, 16U})
-            functions.emplace(width, DeviceFunctions("core/math.cl", expressions, width));
+            functions.emplace(width, DeviceFunctions("core/power.cl", expressions, width));
     }
     static void TearDownTestSuite() { functions.clear(); }
 
