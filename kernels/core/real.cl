@@ -21,7 +21,6 @@
 typedef float real;
 typedef int mask_t;  ///< also the integer of the same width
 #define LESS(a, b) (-(int)((a) < (b)))
-#define ANY(mask) ((mask) != 0)
 #define bits_of as_int
 #define as_real as_float
 #define real_of convert_float
@@ -42,6 +41,11 @@ static inline real reversed(real value)
 {
     return value;
 }
+/// Not any(), of which PoCL makes a branch for each lane.
+static inline int any_of(mask_t mask)
+{
+    return mask != 0;
+}
 static inline real gather(global const float* from, mask_t index)
 {
     return from[index];
@@ -50,7 +54,6 @@ static inline real gather(global const float* from, mask_t index)
 typedef JOIN(float, WIDTH) real;
 typedef JOIN(int, WIDTH) mask_t;
 #define LESS(a, b) ((a) < (b))
-#define ANY(mask) any(mask)
 #define bits_of JOIN(as_int, WIDTH)
 #define as_real JOIN(as_float, WIDTH)
 #define real_of JOIN(convert_float, WIDTH)
@@ -81,20 +84,40 @@ static inline real reversed(real value)
 {
     return value.s10;
 }
+static inline int any_of(mask_t mask)
+{
+    return (mask.x | mask.y) != 0;
+}
 #elif WIDTH == 4
 static inline real reversed(real value)
 {
     return value.s3210;
+}
+static inline int any_of(mask_t mask)
+{
+    const ulong2 pairs = as_ulong2(mask);
+    return (pairs.x | pairs.y) != 0;
 }
 #elif WIDTH == 8
 static inline real reversed(real value)
 {
     return value.s76543210;
 }
+static inline int any_of(mask_t mask)
+{
+    const ulong2 folded = as_ulong4(mask).lo | as_ulong4(mask).hi;
+    return (folded.x | folded.y) != 0;
+}
 #else
 static inline real reversed(real value)
 {
     return value.sfedcba9876543210;
+}
+static inline int any_of(mask_t mask)
+{
+    const ulong4 folded = as_ulong8(mask).lo | as_ulong8(mask).hi;
+    const ulong2 pairs = folded.lo | folded.hi;
+    return (pairs.x | pairs.y) != 0;
 }
 #endif
 #endif
@@ -102,10 +125,6 @@ static inline real reversed(real value)
 static inline mask_t less(real a, real b)
 {
     return LESS(a, b);
-}
-static inline int any_of(mask_t mask)
-{
-    return ANY(mask);
 }
 static inline mask_t not_(mask_t mask)
 {

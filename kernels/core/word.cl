@@ -23,6 +23,11 @@ static inline void store_words(word value, uint* to)
 {
     *to = value;
 }
+/// Of all lanes.
+static inline ulong sum_of(word value)
+{
+    return value;
+}
 #else
 typedef JOIN(uint, WIDTH) word;
 #define EQUAL(a, b) ((a) == (b))
@@ -41,6 +46,23 @@ static inline word load_words(const uint* from)
 static inline void store_words(word value, uint* to)
 {
     JOIN(vstore, WIDTH)(value, 0, to);
+}
+static inline ulong sum_of(word value)
+{
+#if WIDTH == 2
+    const ulong2 two = convert_ulong2(value);
+#elif WIDTH == 4
+    const ulong2 two = convert_ulong2(value.lo) + convert_ulong2(value.hi);
+#else
+#if WIDTH == 8
+    const ulong4 four = convert_ulong4(value.lo) + convert_ulong4(value.hi);
+#else
+    const ulong8 eight = convert_ulong8(value.lo) + convert_ulong8(value.hi);
+    const ulong4 four = eight.lo + eight.hi;
+#endif
+    const ulong2 two = four.lo + four.hi;
+#endif
+    return two.x + two.y;
 }
 #endif
 static inline mask_t equal(mask_t a, mask_t b)

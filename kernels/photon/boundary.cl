@@ -63,14 +63,9 @@ static inline word exit_row(const packet* p, const scene* s)
 /// Adds what leaves to bins [row][angle] that begin at `first`.
 static inline void count_exits(const packet* p, mask_t lanes, uint first, const scene* s)
 {
-    uint weights[WIDTH], bins[WIDTH];
     const real sine = sqrt(fma(p->u.x, p->u.x, square(p->u.y)));
-    store_words(exit_row(p, s) * ANGLES + angle_bin(sine, fabs(p->u.z), ANGLES), bins);
-    store_words(choose_word(lanes, p->weight, (word)(0)), weights);
-    FOR_LANES(i)
-    {
-        if (weights[i] != 0) add_weight(s->tallies, first + bins[i], weights[i]);
-    }
+    const word bins = exit_row(p, s) * ANGLES + angle_bin(sine, fabs(p->u.z), ANGLES);
+    add_weights(s->tallies, first, bins, choose_word(lanes, p->weight, (word)(0)));
 }
 #endif
 

@@ -4,29 +4,35 @@
 #define GONIO_PHOTON_LAUNCH
 #include "photon/boundary.cl"
 
-/// Photons of the launch that a work-item takes at a time.
-#define PORTION (4 * WIDTH)
+/// Photons of the launch that a lane takes at a time.
+#define PORTION 8
 
 /// Photons that are still to be followed.
 typedef struct {
-    global uint* taken;  ///< by all work-items
-    uint next, end;      ///< of this work-item's portion
+    global uint* taken;  ///< by the lanes of all work-items
+    word next, end;      ///< of each lane's portion
     uint count;          ///< of the launch
+    uint has_portions;   ///< whether some may not be taken yet
+    uint has_more;       ///< whether some may not have begun yet
     ulong first, seed;
 } supply;
 
-/// The number of one more photon, counted from the launch's first; count if there is none.
-static inline uint take_photon(supply* from)
+/// Gives the lanes of a mask portions, as long as there are some.
+static inline void take_portions(supply* from, mask_t lanes)
 {
-    if (from->next == from->end && from->end < from->count) {
-        from->next = min(atomic_add(from->taken, (uint)PORTION), from->count);
-        from->end = min(from->next + PORTION, from->count);
+    uint wants[WIDTH], next[WIDTH], end[WIDTH];
+    store_words(as_words(lanes), wants);
+    store_words(from->next, next);
+    store_words(from->end, end);
+    FOR_LANES(i)
+    {
+        if (wants[i] == 0 || !from->has_portions) continue;
+        next[i] = min(atomic_add(from->taken, (uint)PORTION), from->count);
+        end[i] = min(next[i] + PORTION, from->count);
+        from->has_portions = end[i] < from->count;
     }
-    if (from->next == from->end) {
-        from->next = from->end = from->count;
-        return from->count;
-    }
-    return from->next++;
+    from->next = load_words(next);
+    from->end = load_words(end);
 }
 
 /// Where photons come in: a beam that has been refracted already, or diffuse light.
@@ -57,14 +63,13 @@ static inline void spread(const source* light, stream* random, real* x, real* y)
 /// Starts photons in the lanes that have none, as long as there are some.
 static inline void launch(packet* p, supply* from, const source* light, const scene* s)
 {
-    uint weights[WIDTH], offsets[WIDTH];
-    store_words(p->weight, weights);
-    FOR_LANES(i)
-    {
-        offsets[i] = weights[i] == 0 ? take_photon(from) : from->count;
-    }
-    const word offset = load_words(offsets);
-    const mask_t starts = smaller(offset, (word)(from->count));
+    const mask_t lanes = not_(is_alive(p));
+    const mask_t empty = lanes & not_(smaller(from->next, from->end));
+    if (from->has_portions && any_of(empty)) take_portions(from, empty);
+    const word offset = from->next;
+    const mask_t starts = lanes & smaller(offset, from->end);
+    from->next -= as_words(starts);
+    from->has_more = from->has_portions || any_of(smaller(from->next, from->end));
     stream random = numbered_stream(from->first, offset, from->seed);
     direction u = {(real)(light->sine), (real)(R(0.0)), (real)(light->cosine)};
     word weight = (word)(light->weight);

@@ -44,7 +44,6 @@
 #endif
 
 #define WHOLE_PHOTON 1073741824u
-#define FOR_LANES(i) for (uint i = 0; i < WIDTH; ++i)
 
 typedef struct {
     real x, y, z;    ///< cm; z from the top of the layer
@@ -133,28 +132,29 @@ static inline mask_t is_alive(const packet* p)
     return smaller((word)(0), p->weight);
 }
 
-/// Counts what the lanes of a mask have left in their layers.
+/// Counts what the lanes of a mask have left in their layers. In few layers a sum for each of them
+/// takes less time than one after the other of the lanes.
 static inline void count_deposits(packet* p, mask_t lanes, const scene* s)
 {
-    uint deposits[WIDTH], places[WIDTH];
-    store_words(choose_word(lanes, p->deposited, (word)(0)), deposits);
-    store_words(as_words(p->layer), places);
-    FOR_LANES(i)
-    {
-        if (deposits[i] != 0) add_weight(s->tallies, photon_totals + places[i], deposits[i]);
+    const word deposits = choose_word(lanes, p->deposited, (word)(0));
+#if LAYERS <= 3
+#define COUNT_DEPOSIT(k)                                            \
+    {                                                               \
+        const mask_t here = equal(p->layer, (mask_t)(k));           \
+        add_weight(s->tallies, photon_totals + (k),                 \
+                   sum_of(choose_word(here, deposits, (word)(0)))); \
     }
+    EACH_LAYER(COUNT_DEPOSIT)
+#else
+    add_weights(s->tallies, photon_totals, as_words(p->layer), deposits);
+#endif
     p->deposited = choose_word(lanes, (word)(0), p->deposited);
 }
 
 /// Adds the weight of the lanes of a mask to one of the totals.
 static inline void count_total(word weight, mask_t lanes, uint total, const scene* s)
 {
-    uint weights[WIDTH];
-    store_words(choose_word(lanes, weight, (word)(0)), weights);
-    FOR_LANES(i)
-    {
-        if (weights[i] != 0) add_weight(s->tallies, total, weights[i]);
-    }
+    add_weight(s->tallies, total, sum_of(choose_word(lanes, weight, (word)(0))));
 }
 
 #endif

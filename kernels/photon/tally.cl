@@ -11,16 +11,30 @@
 #define SHARED_TALLIES 0
 #endif
 
+#define FOR_LANES(i) for (uint i = 0; i < WIDTH; ++i)
+
 /// Adds to a sum. 64-bit atomics are an extension: the halves carry.
-static inline void add_weight(global ulong* tallies, uint place, uint amount)
+static inline void add_weight(global ulong* tallies, uint place, ulong amount)
 {
 #if SHARED_TALLIES
+    if (amount == 0) return;
     global uint* halves = (global uint*)(tallies + place);
-    const uint before = atomic_add(halves, amount);
-    if (before + amount < before) atomic_inc(halves + 1);
+    const uint low = (uint)amount, before = atomic_add(halves, low);
+    const uint high = (uint)(amount >> 32) + (before + low < before ? 1 : 0);
+    if (high != 0) atomic_add(halves + 1, high);
 #else
     tallies[place] += amount;
 #endif
+}
+
+/// Adds what each lane has to the sum first + its place. Lanes that have nothing add 0 to the first
+/// one: where nothing is shared that takes less time than a branch, which nobody can predict.
+static inline void add_weights(global ulong* tallies, uint first, word places, word amounts)
+{
+    uint at[WIDTH], weights[WIDTH];
+    store_words(choose_word(smaller((word)(0), amounts), places, (word)(0)), at);
+    store_words(amounts, weights);
+    FOR_LANES(i) add_weight(tallies, first + at[i], weights[i]);
 }
 
 /// Even bins from 0 on, and one more for what lies beyond.

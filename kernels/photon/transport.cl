@@ -19,15 +19,9 @@
 static inline void count_absorbed(const packet* p, word amount, const scene* s)
 {
 #if ABSORBED
-    uint amounts[WIDTH], bins[WIDTH];
     const word depth = bin_of(p->top + p->z, s->depth_bins_per_cm, DEPTH_BINS);
     const word radius = radius_bin(p->x, p->y, s->radius_bins_per_cm, ABSORBED_RADIUS_BINS);
-    store_words(depth * (ABSORBED_RADIUS_BINS + 1) + radius, bins);
-    store_words(amount, amounts);
-    FOR_LANES(i)
-    {
-        if (amounts[i] != 0) add_weight(s->tallies, FIRST_ABSORBED + bins[i], amounts[i]);
-    }
+    add_weights(s->tallies, FIRST_ABSORBED, depth * (ABSORBED_RADIUS_BINS + 1) + radius, amount);
 #endif
 }
 
@@ -117,9 +111,9 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
 #endif
     const scene s = {tallies,           layers,     phases, row_bins_per_unit, radius_bins_per_cm,
                      depth_bins_per_cm, wavelengths};
-    supply from = {taken, 0, 0, count, first, seed};
     const real zero = (real)(R(0.0));
     const word none = (word)(0);
+    supply from = {taken, none, none, count, 1, 1, first, seed};
     packet p;
     p.x = p.y = p.z = p.u.x = p.u.y = zero;
     p.u.z = (real)(R(1.0));
@@ -138,8 +132,8 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
 #endif
     p.random.a = p.random.b = p.random.c = p.random.d = none;
     look_up_layer(&p, equal(p.layer, p.layer), &s);
-    while (from.next < count || any_of(is_alive(&p))) {
-        if (from.next < count && any_of(not_(is_alive(&p)))) launch(&p, &from, &light, &s);
+    while (from.has_more || any_of(is_alive(&p))) {
+        if (from.has_more && any_of(not_(is_alive(&p)))) launch(&p, &from, &light, &s);
         make_step(&p, bottom_albedo, &s);
     }
 }
