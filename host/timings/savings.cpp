@@ -85,6 +85,18 @@ BenchPlot bench_savings(const BenchRun& run)
                   "{ model = \"ggx\" }, { model = \"phong\", weight = 0 }, "
                   "{ model = \"strauss\", weight = 0 }",
                   1));
+    add(of_tables(run, "a lobe of no reflectance",
+                  "{ model = \"oren_nayar\" }, { model = \"cook_torrance\", "
+                  "parameters = { fresnel = \"dielectric\", eta = 1 } }",
+                  1));
+    add(of_tables(run, "grey gloss on a colour",
+                  "{ model = \"lambert\", parameters = { rho = [0.5, 0.3, 0.2] } }, "
+                  "{ model = \"ggx\", parameters = { fresnel = \"dielectric\" } }",
+                  1));
+    add(of_tables(run, "three channels that agree",
+                  "{ model = \"ggx\", parameters = { fresnel = \"dielectric\", "
+                  "eta = [1.5, 1.5, 1.5] } }",
+                  1));
     add(of_tables(run, "one table, twice", "{ model = \"oren_nayar\" }", 2));
     add(of_skin(run));
     std::vector<std::function<double()>> runs;
