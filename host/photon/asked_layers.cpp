@@ -112,12 +112,24 @@ double allowed(const Job& job, const LayeredMedium& medium, std::size_t count, d
     return part * tallies.time_width * cm_per_ps / (path * index);
 }
 
-/// Light that has come to a depth travels at least that far again until it leaves.
-double lost_on_the_way_back(const LayeredMedium& medium, std::size_t count)
+/// The part of the light below these layers that ever leaves through them, were all that comes back
+/// down reflected again: of the direction in which most passes, and of that in which most is thrown
+/// back.
+double leaves_from_below(const LayeredMedium& medium, std::size_t count)
 {
-    double depth = 0;
-    for (std::size_t k = 0; k < count; ++k) depth += medium.layers[k].mua * medium.layers[k].d;
-    return std::exp(-depth);
+    const auto end = medium.layers.rend();
+    const LayeredMedium turned{.n_above = medium.layers[count - 1].n,
+                               .n_below = medium.n_above,
+                               .layers = {end - static_cast<std::ptrdiff_t>(count), end}};
+    double passes = 0, thrown_back = 0;
+    const auto solution =
+        reference::solve_layers_once(turned, {.incidence = {0, 0.5, 1, 1.4}}, nodes);
+    for (const reference::Illumination& one : solution.collimated) {
+        const reference::LightBudget& budget = one.budget;
+        passes = std::max(passes, budget.unscattered_transmittance + budget.diffuse_transmittance);
+        thrown_back = std::max(thrown_back, budget.specular + budget.diffuse_reflectance);
+    }
+    return thrown_back < 1 ? std::min(1.0, passes / (1 - thrown_back)) : 1;
 }
 
 void cut(AskedLayers& asked, const Job& job)
@@ -126,8 +138,8 @@ void cut(AskedLayers& asked, const Job& job)
     for (std::size_t count = 1; count < medium.layers.size(); ++count) {
         if (is_clear(medium.layers[count - 1])) continue;  // it could have no end
         const Upper upper = upper_part(medium, count, job);
-        const double returned =
-            uncertain * std::max(upper.comes_so_far, 0x1p-50) * lost_on_the_way_back(medium, count);
+        const double returned = uncertain * std::max(upper.comes_so_far, 0x1p-50) *
+                                std::max(leaves_from_below(medium, count), 0x1p-50);
         if (!(upper.reflected > 0 && returned <= allowed(job, medium, count, upper.reflected)))
             continue;
         asked.unreached = medium.layers.size() - count;

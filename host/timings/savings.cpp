@@ -5,6 +5,8 @@
 #include "gonio/compute.hpp"
 #include "gonio/job.hpp"
 #include "gonio/photons.hpp"
+#include "photon/asked_layers.hpp"
+#include "photon/exact_values.hpp"
 #include "plan/batch.hpp"
 #include "timings/sections.hpp"
 #include "timings/skin.hpp"
@@ -44,6 +46,24 @@ Contest of_tables(const BenchRun& run, const std::string& name, const std::strin
     timed(true);
     timed(false);
     return {name, [timed] { return timed(true); }, [timed] { return timed(false); }};
+}
+
+/// Skin where blood absorbs most, down to the layers that light comes back from.
+Contest of_layers()
+{
+    const Job job = plan_jobs(parse_scene("[[material]]\nname = \"m\"\nskin = \"meglinski_2002\"\n"
+                                          "wavelength = 420\n[[table]]\nmaterial = \"m\"\n"
+                                          "quantity = \"mean_albedo\"\nmax_error = 1e-4\n",
+                                          "layers"))
+                        .front();
+    const auto timed = [job](bool leave_out) {
+        return seconds_on_the_wall([&] {
+            LightJob light = *job.layers;
+            if (leave_out) light.medium = asked_layers(job).medium;
+            exact_values(light, job.header.axes);
+        });
+    };
+    return {"skin at 420 nm", [timed] { return timed(true); }, [timed] { return timed(false); }};
 }
 
 /// Adding-doubling in place of as many photons as have the same error.
@@ -98,6 +118,7 @@ BenchPlot bench_savings(const BenchRun& run)
                   "eta = [1.5, 1.5, 1.5] } }",
                   1));
     add(of_tables(run, "one table, twice", "{ model = \"oren_nayar\" }", 2));
+    add(of_layers());
     add(of_skin(run));
     std::vector<std::function<double()>> runs;
     for (const Contest& contest : contests) {
