@@ -64,15 +64,16 @@ private:
 
 /// Makes the table of layers with a line of progress; returns the line of the summary.
 std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device, const Job& job,
-                                                           Progress& progress)
+                                                           Progress& progress, bool leave_out)
 {
     Advance advance(progress, job);
-    const LightTable made = make_light_table(device, job, [&](const LightProgress& now) {
+    const auto after_launch = [&](const LightProgress& now) {
         if (now.photons_per_second > 0)
             progress.begin(fmt::format("{}, {:.2g} photons/s, error {:.1e}", job.name,
                                        now.photons_per_second, now.error));
         advance(now.fraction);
-    });
+    };
+    const LightTable made = make_light_table(device, job, after_launch, leave_out);
     const auto how = made.photons == 0 ? std::string("without noise")
                                        : fmt::format("{} photons, {:.3g} photons/s", made.photons,
                                                      made.photons_per_second);
@@ -115,7 +116,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
             return run;
         }
         if (job.layers) {
-            const auto [line, run] = make_layers(device, job, progress);
+            const auto [line, run] = make_layers(device, job, progress, leave_out);
             of_layers += line;
             return run;
         }

@@ -47,7 +47,10 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
                                 {"memory_bytes", cost.memory_bytes},
                                 {"finished", plan.finished},
                                 {"left_out", json_of(plan.left_out)}};
-    if (job.header.find("interpolation.error"))
+    if (job.seconds) json["time"] = *job.seconds;
+    if (job.fit)
+        json.erase("cells");
+    else if (job.header.find("interpolation.error"))
         json["interpolation_error"] = job.interpolation_error;
     if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
     return json;
@@ -64,11 +67,14 @@ void print(const Job& job, const JobPlan& plan)
 {
     const bool number = job.header.axes.empty();
     fmt::print("{}: {}{}, solver {}\n", job.path.string(), job.header.quantity,
-               number ? "" : fmt::format(" of {} cells", shape_text(job.header)), plan.solver);
+               number    ? ""
+               : job.fit ? fmt::format(" of as many cells as {} s are enough for", *job.seconds)
+                         : fmt::format(" of {} cells", shape_text(job.header)),
+               plan.solver);
     if (!plan.kernel.empty())
         fmt::print("    {} at width {}{}{}\n", plan.kernel, plan.width,
                    plan.definitions.empty() ? "" : " with ", fmt::join(plan.definitions, " "));
-    if (job.header.find("interpolation.error"))
+    if (job.header.find("interpolation.error") && !job.fit)
         fmt::print(
             "    grid: interpolation is off by {:.2g} of the largest value, {:.2g} is asked\n",
             job.interpolation_error, job.max_error);

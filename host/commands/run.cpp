@@ -6,6 +6,7 @@
 #include "commands/commands.hpp"
 #include "gonio/scene.hpp"
 #include "output/contact_sheet.hpp"
+#include "plan/timed_grid.hpp"
 
 namespace gonio {
 namespace {
@@ -25,6 +26,7 @@ void run(const RunOptions& options)
     if (options.dry_run) return print_estimate(device, jobs);
     if (options.best_effort)
         for (Job& job : jobs) job.must_reach = false;
+    fit_to_time(device, jobs, {.leave_out = !options.no_plan});
     run_jobs(device, jobs, !options.no_plan);
     if (options.sheet.empty()) return;
     std::vector<ContactCard> cards;
@@ -53,7 +55,7 @@ void add_run(CLI::App& app)
     verb->add_flag(
         "--no-plan", options->no_plan,
         "Make all tables the general way: nothing that `gonio plan` names is left out of "
-        "BRDFs, and finished tables are made again");
+        "BRDFs, no layers are, and finished tables are made again");
     options->device.add_to(*verb);
     verb->callback([options] { run(*options); });
 }

@@ -27,10 +27,11 @@ void require_interpolation(const Job& job)
 {
     if (!job.must_reach || job.interpolation_error <= job.max_error) return;
     throw RunError(fmt::format(
-        "{}table `{}`: on {} cells interpolation is off by {:.2g} of the largest value, and not by "
-        "at most the max_error of {:.2g}; --best-effort makes it so",
-        job.where, job.name, job.header.cells() / job.materials.size(), job.interpolation_error,
-        job.max_error));
+        "{}table `{}`: on {} cells{} interpolation is off by {:.2g} of the largest value, and not "
+        "by at most the max_error of {:.2g}; --best-effort makes it so",
+        job.where, job.name, job.header.cells() / job.materials.size(),
+        job.seconds ? fmt::format(", as many as {} s are enough for,", *job.seconds) : "",
+        job.interpolation_error, job.max_error));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <array>
 #include <deque>
 
+#include "compute/distinct_channels.hpp"
 #include "compute/horizon.hpp"
 #include "compute/idle_lobes.hpp"
 #include "compute/symmetry.hpp"
@@ -42,10 +43,12 @@ void check_frame(const Material& material, const Grid& grid)
             material.name));
 }
 
-std::vector<const float*> planes_of(const float* values, std::size_t channels, std::size_t plane)
+/// of: which of the planes each channel is.
+std::vector<const float*> planes_of(const float* values, const std::vector<std::size_t>& of,
+                                    std::size_t plane)
 {
     std::vector<const float*> planes;
-    for (std::size_t c = 0; c < channels; ++c) planes.push_back(values + c * plane);
+    for (const std::size_t distinct : of) planes.push_back(values + distinct * plane);
     return planes;
 }
 
@@ -54,7 +57,9 @@ std::vector<const float*> planes_of(const float* values, std::size_t channels, s
 ComputeReport compute_grid(const Device& handle, const Material& given, Measure measure,
                            const Grid& grid, const RowSink& sink, const ComputeOptions& options)
 try {
-    const Material material = options.leave_out ? without_idle_lobes(given) : given;
+    const DistinctChannels distinct =
+        options.leave_out ? distinct_channels(without_idle_lobes(given)) : all_channels(given);
+    const Material& material = distinct.material;
     check_frame(material, grid);
     Device::State& device = handle.state();
     const DirectionTables tables = direction_tables(grid, !material.isotropic());
@@ -62,7 +67,7 @@ try {
     const bool reciprocal = options.leave_out && is_reciprocal(material, measure, grid);
     const bool mirrored = options.leave_out && is_mirrored(material, grid);
     GridKernel kernel(device, material, tables,
-                      {"", measure, mirrored, reciprocal, handle.width()});
+                      {"", measure, mirrored, reciprocal, handle.width(), options.leave_out});
 
     const std::size_t granule = reciprocal ? tables.counts[1] : 1;
     const std::size_t tile = rows_per_tile(device.info, row_size * sizeof(float), tables.rows,
@@ -92,7 +97,7 @@ try {
         report.kernel_seconds += seconds_of(events[slot]);
         ++report.tiles;
         if (horizon) report.poles += clear_poles(reference, grid, channels, first, count, values);
-        sink({first, count, planes_of(values, channels, count * tables.length)});
+        sink({first, count, planes_of(values, distinct.of, count * tables.length)});
         buffers[slot].unmap();
     }
     for (OutputBuffer& buffer : buffers) buffer.check_canary();

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "compute/distinct_channels.hpp"
+#include "compute/idle_lobes.hpp"
 #include "gonio/shared/residual_fields.h"
 
 namespace gonio {
@@ -17,23 +19,41 @@ bool is_weighted(const Lobe& lobe)
     return std::ranges::any_of(lobe.weight, [](double weight) { return weight != 1; });
 }
 
-/// The program's first lines: core/material.cl says what they define. general: for other weights
-/// than these, too.
-std::string preamble(const Material& material, const std::string& directions_file, bool general)
+/// What kernels/core/lobe.cl has in place of an option of Fresnel's.
+constexpr int facets_reflect_all = -1;
+
+/// What a program leaves out: for which other numbers it holds.
+enum class For { all_numbers, all_but_weights, these_numbers };
+
+bool reflects_all(const Lobe& lobe, std::size_t parameter)
 {
+    return lobe.model->parameters[parameter].name == "fresnel" && even_facet_reflectance(lobe) == 1;
+}
+
+/// The program's first lines: core/material.cl says what they define.
+std::string preamble(const Material& material, const std::string& directions_file, For numbers)
+{
+    const bool special = numbers == For::these_numbers, coloured = material.channels() > 1;
     std::string includes = fmt::format("#include \"{}\"\n", directions_file);
-    std::string lobes, choices;
+    std::string lobes, choices, shared;
     for (std::size_t k = 0; k < material.lobes.size(); ++k) {
         const Lobe& lobe = material.lobes[k];
         includes += fmt::format("#include \"brdf/{}.cl\"\n", lobe.model->id);
-        lobes +=
-            fmt::format(" LOBE({}, {}, {}, {})", k, lobe.model->id,
-                        (lobe.traits() & VALUE) != 0 ? 1 : 0, general || is_weighted(lobe) ? 1 : 0);
-        for (std::size_t p = 0; p < lobe.values.size(); ++p)
-            if (lobe.model->parameters[p].kind == Kind::choice)
-                choices += fmt::format("{}, ", lobe.values[p][0]);
+        lobes += fmt::format(" LOBE({}, {}, {}, {})", k, lobe.model->id,
+                             (lobe.traits() & VALUE) != 0 ? 1 : 0,
+                             numbers == For::all_numbers || is_weighted(lobe) ? 1 : 0);
+        for (std::size_t p = 0; p < lobe.values.size(); ++p) {
+            const Kind kind = lobe.model->parameters[p].kind;
+            if (kind == Kind::choice)
+                choices +=
+                    fmt::format("{}, ", special && reflects_all(lobe, p) ? facets_reflect_all
+                                                                         : lobe.values[p][0]);
+            if (kind == Kind::color)
+                shared += special && coloured && is_shared(lobe.values[p]) ? "1, " : "0, ";
+        }
     }
-    return fmt::format("{}#define LOBES{}\n#define CHOICES {}0\n", includes, lobes, choices);
+    return fmt::format("{}#define LOBES{}\n#define CHOICES {}0\n#define SHARED {}0\n", includes,
+                       lobes, choices, shared);
 }
 
 /// The grid as kernels/core/residual.cl reads it; an empty one for nullptr.
@@ -76,8 +96,10 @@ std::vector<std::string> table_definitions(const Material& material, const Table
 cl::Kernel table_kernel(Device::State& device, const Material& material,
                         const TableProgram& program)
 {
-    return {build_program(device, preamble(material, program.grid_file, false), "table.cl",
-                          table_definitions(material, program), program.width),
+    return {build_program(device,
+                          preamble(material, program.grid_file,
+                                   program.special ? For::these_numbers : For::all_but_weights),
+                          "table.cl", table_definitions(material, program), program.width),
             "table"};
 }
 
@@ -85,16 +107,17 @@ cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool i
 {
     const std::vector<std::string> definitions{fmt::format("CHANNELS={}", material.channels()),
                                                fmt::format("ISOTROPIC={}", isotropic ? 1 : 0)};
-    return {build_program(device, preamble(material, "directions/quadrature.cl", true), "albedo.cl",
-                          definitions, device.width),
+    return {build_program(device, preamble(material, "directions/quadrature.cl", For::all_numbers),
+                          "albedo.cl", definitions, device.width),
             "albedo"};
 }
 
 cl::Kernel sampling_kernel(Device::State& device, const Material& material, const char* name)
 {
-    return {build_program(device, preamble(material, "directions/offset.cl", true), "sample.cl",
-                          {fmt::format("CHANNELS={}", material.channels())}, device.width),
-            name};
+    return {
+        build_program(device, preamble(material, "directions/offset.cl", For::all_numbers),
+                      "sample.cl", {fmt::format("CHANNELS={}", material.channels())}, device.width),
+        name};
 }
 
 std::vector<float> parameter_values(const Material& material)

@@ -17,6 +17,7 @@ struct TableProgram {
     bool mirrored = false;    ///< columns symmetric about their middle
     bool reciprocal = false;  ///< rows (i, o) and (o, i) agree
     unsigned width = 1;
+    bool special = false;  ///< not for other numbers: facets that reflect all, colours that agree
 };
 
 /// "NAME=VALUE" of all that kernel `table` is compiled for, besides lobes and choices.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "photon/asked_layers.hpp"
 #include "photon/bins.hpp"
 #include "photon/exact_values.hpp"
 #include "photon/simulation.hpp"
@@ -31,9 +32,12 @@ void write(const Job& job, const std::vector<Fraction>& values)
 
 }  // namespace
 
-LightTable make_light_table(const Device& device, const Job& job,
-                            const std::function<void(const LightProgress&)>& after_launch)
+LightTable make_light_table(const Device& device, const Job& given,
+                            const std::function<void(const LightProgress&)>& after_launch,
+                            bool leave_out)
 {
+    Job job = given;
+    if (leave_out) job.layers->medium = asked_layers(given).medium;
     return located(job.where, [&]() -> LightTable {
         if (job.layers->solver == "monte_carlo") {
             const SimulatedValues simulated = simulate(device, job, after_launch);

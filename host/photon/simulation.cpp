@@ -39,7 +39,8 @@ public:
           lights_(lights_of(job)),
           tallies_(tallies_of(*light_.quantity, job.header.axes)),
           most_(light_.budget.photons.value_or(no_limit)),
-          checkpoint_(job.path, definition(job))
+          checkpoint_(job.path,
+                      fmt::format("{}{} layers", definition(job), light_.medium.layers.size()))
     {
     }
 

@@ -79,6 +79,7 @@ Estimate estimate(const Job& job, double values_per_second)
     cost.seconds = job.layers || job.skin ? std::numeric_limits<double>::quiet_NaN()
                                           : static_cast<double>(cost.values) / values_per_second;
     if (!job.cells.empty()) cost.seconds *= evaluations_of_an_integral;
+    if (job.seconds) cost.seconds = *job.seconds;
     return cost;
 }
 
@@ -87,6 +88,11 @@ std::string estimate_text(const std::vector<Job>& jobs, double values_per_second
     std::string text;
     Estimate sum;
     for (const Job& job : jobs) {
+        if (job.fit) {
+            text += fmt::format("{:<40} as many cells as {} s are enough for\n", job.path.string(),
+                                *job.seconds);
+            continue;
+        }
         const Estimate cost = estimate(job, values_per_second);
         sum.file_bytes += cost.file_bytes;
         sum.memory_bytes = std::max(sum.memory_bytes, cost.memory_bytes);

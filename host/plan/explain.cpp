@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <set>
 
+#include "compute/distinct_channels.hpp"
 #include "compute/idle_lobes.hpp"
 #include "compute/symmetry.hpp"
 #include "opencl/grid_kernel.hpp"
+#include "photon/asked_layers.hpp"
 #include "photon/bins.hpp"
 #include "photon/program.hpp"
 #include "plan/batch.hpp"
@@ -35,29 +37,65 @@ void leave_out_models(JobPlan& plan, const Material& material)
               "no lobe is one of them: they are not compiled");
 }
 
-void leave_out_weights(JobPlan& plan, const Material& given, const Material& kept)
+/// part of a whole is left out, so that the work is about so much less.
+void leave_out_part(JobPlan& plan, const char* of, std::size_t all, std::size_t left,
+                    std::string why)
 {
-    const auto all = given.lobes.size(), left = kept.lobes.size();
     if (left < all)
-        leave_out(plan, fmt::format("{} of {} lobes", all - left, all), "their weight is 0",
+        leave_out(plan, fmt::format("{} of {} {}", all - left, all, of), std::move(why),
                   static_cast<double>(all) / static_cast<double>(left));
+}
+
+void leave_out_lobes(JobPlan& plan, const Material& given, const Material& kept)
+{
+    leave_out_part(plan, "lobes", given.lobes.size(), kept.lobes.size(),
+                   "their weight is 0, or they reflect nothing");
     const bool plain = std::ranges::all_of(kept.lobes, [](const Lobe& lobe) {
         return std::ranges::all_of(lobe.weight, [](double weight) { return weight == 1; });
     });
     if (plain) leave_out(plan, "weights", "all are 1");
+    if (std::ranges::any_of(kept.lobes,
+                            [](const Lobe& lobe) { return even_facet_reflectance(lobe) == 1; }))
+        leave_out(plan, "Fresnel's reflectance", "with f0 = 1 facets reflect all light");
+}
+
+/// Has the lobe colours, all of them grey?
+bool is_grey(const Lobe& lobe)
+{
+    bool coloured = false, grey = true;
+    for (std::size_t k = 0; k < lobe.values.size(); ++k) {
+        if (lobe.model->parameters[k].kind != Kind::color) continue;
+        coloured = true;
+        grey = grey && is_shared(lobe.values[k]);
+    }
+    return coloured && grey;
+}
+
+/// channels: of the table.
+void leave_out_channels(JobPlan& plan, std::size_t channels, const Material& distinct)
+{
+    const std::size_t left = distinct.channels();
+    leave_out_part(plan, "channels", channels, left, "they equal another one");
+    const auto grey = std::ranges::count_if(distinct.lobes, is_grey);
+    if (left > 1 && grey > 0)
+        leave_out(plan, fmt::format("channels of {} of {} lobes", grey, distinct.lobes.size()),
+                  "grey: what they are in one they are in all");
 }
 
 void explain_grid(JobPlan& plan, const Device& device, const Job& job)
 {
     const Material& given = job.materials.front();
-    const Material kept = without_idle_lobes(given);
+    const Material kept = distinct_channels(without_idle_lobes(given)).material;
     const bool mirrored = is_mirrored(kept, job.grid);
     const bool reciprocal = is_reciprocal(kept, job.measure, job.grid);
     plan.kernel = "table.cl";
-    plan.width = fitting_width(device.width(), job.header.row_length() / (mirrored ? 2 : 1));
+    plan.width = device.width();
+    if (!job.fit)
+        plan.width = fitting_width(plan.width, job.header.row_length() / (mirrored ? 2 : 1));
     plan.definitions = table_definitions(kept, {"", job.measure, mirrored, reciprocal, plan.width});
     leave_out_models(plan, kept);
-    leave_out_weights(plan, given, kept);
+    leave_out_lobes(plan, given, kept);
+    leave_out_channels(plan, given.channels(), kept);
     if (mirrored)
         leave_out(plan, "half of " + job.grid.axes.back().name,
                   "it is the mirror image of the other half", 2);
@@ -70,7 +108,10 @@ void explain_integral(JobPlan& plan, const Device& device, const Job& job)
 {
     plan.kernel = "albedo.cl";
     plan.width = device.width();
-    leave_out_models(plan, job.materials.front());
+    const Material& first = job.materials.front();
+    leave_out_models(plan, first);
+    leave_out_part(plan, "lobes", first.lobes.size(), lobes_with_light(job.materials).size(),
+                   "their weight is 0, or they reflect nothing");
     leave_out(plan, "random sampling", "quadrature has no noise and knows its error");
 }
 
@@ -86,15 +127,22 @@ void leave_out_photons(JobPlan& plan, double error)
 void explain_layers(JobPlan& plan, const Device& device, const Job& job)
 {
     const LightJob& light = *job.layers;
+    const AskedLayers asked = asked_layers(job);
+    const std::size_t all = light.medium.layers.size(), left = asked.medium.layers.size();
+    leave_out_part(plan, "layers", all, all - asked.clear,
+                   "clear, of their neighbour's index, and nobody asks for them");
+    leave_out_part(
+        plan, "layers", left + asked.unreached, left,
+        fmt::format("less than {:.0e} of the light comes as far and back", asked.returned));
     if (light.solver == "adding_doubling")
         return leave_out_photons(plan, light.budget.max_error.value_or(default_error));
     const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);
     plan.kernel = "photon/transport.cl";
     plan.width = device.width();
     plan.definitions =
-        photon_program(light.medium, {.light = light.light, .tallies = tallies}).definitions;
-    const auto unless = [&](bool asked, const char* what) {
-        if (!asked) leave_out(plan, what, "nobody asks for it: neither compiled nor allocated");
+        photon_program(asked.medium, {.light = light.light, .tallies = tallies}).definitions;
+    const auto unless = [&](bool tallied, const char* what) {
+        if (!tallied) leave_out(plan, what, "nobody asks for it: neither compiled nor allocated");
     };
     unless(tallies.reflected, "the tally of reflected light");
     unless(tallies.transmitted, "the tally of transmitted light");

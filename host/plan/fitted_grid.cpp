@@ -19,10 +19,7 @@
 namespace gonio {
 namespace {
 
-using Counts = std::vector<std::size_t>;
-
-constexpr std::size_t coarsest = 6;  // samples of an angle
-constexpr double most_cells = 0x1p26;
+constexpr std::size_t coarsest = 6;   // samples of an angle
 constexpr std::size_t finest = 4096;  // of the other angles, while one is chosen
 constexpr double finer = 1.25, coarser = 0.92;
 constexpr double aim = 0.8;  // of the error asked for: the pairs tried are not all there are
@@ -59,21 +56,10 @@ std::size_t angles(GridKind kind)
     return kind == GridKind::anisotropic ? 4 : 3;
 }
 
-Grid grid_of(const GridFit& fit, const Counts& n)
-{
-    switch (fit.kind) {
-        case GridKind::isotropic:
-            return isotropic_grid(n[0], n[1], n[2], fit.samples, fit.delta_phi_to);
-        case GridKind::anisotropic:
-            return anisotropic_grid(n[0], n[1], n[2], n[3], fit.samples);
-        case GridKind::rusinkiewicz:
-            break;
-    }
-    return rusinkiewicz_grid(n[0], n[1], n[2], fit.samples, fit.spacing);
-}
+}  // namespace
 
 /// What a job's materials are at some pairs, and how far interpolation is off there.
-class Trial {
+class GridFitter::Trial {
 public:
     Trial(const Job& job, const GridFit& fit, std::size_t pairs, unsigned seed)
         : fit_(fit), half_(job.write.half && job.format == "exr"), pairs_(some_pairs(pairs, seed))
@@ -152,58 +138,116 @@ private:
     std::vector<double> peaks_;
 };
 
-bool fits(const Counts& counts)
+double cells_of(const Counts& counts)
 {
     double cells = 1;
     for (const std::size_t count : counts) cells *= double(count);
-    return cells <= most_cells;
+    return cells;
 }
+
+Grid grid_of(const GridFit& fit, const Counts& n)
+{
+    switch (fit.kind) {
+        case GridKind::isotropic:
+            return isotropic_grid(n[0], n[1], n[2], fit.samples, fit.delta_phi_to);
+        case GridKind::anisotropic:
+            return anisotropic_grid(n[0], n[1], n[2], n[3], fit.samples);
+        case GridKind::rusinkiewicz:
+            break;
+    }
+    return rusinkiewicz_grid(n[0], n[1], n[2], fit.samples, fit.spacing);
+}
+
+Grid coarsest_grid(const GridFit& fit)
+{
+    return grid_of(fit, Counts(angles(fit.kind), coarsest));
+}
+
+Counts scaled(const Counts& counts, double cells)
+{
+    Counts result = counts;
+    const double wanted = std::min(cells, most_cells);
+    const double factor = std::pow(wanted / cells_of(counts), 1 / double(counts.size()));
+    for (std::size_t& count : result)
+        count = std::max(coarsest, static_cast<std::size_t>(double(count) * factor));
+    return result;
+}
+
+namespace {
 
 /// The fewest samples of one angle with which interpolation keeps to an error, where the others
 /// have so many that they add nothing; `finest` where none do.
-std::size_t samples_of(const Trial& trial, std::size_t angles, std::size_t axis, double error)
+template <class Error>
+std::size_t samples_of(const Error& error_of, std::size_t angles, std::size_t axis, double error)
 {
     Counts counts(angles, finest);
     counts[axis] = coarsest;
-    while (counts[axis] < finest && trial.error(counts) > error)
+    while (counts[axis] < finest && error_of(counts) > error)
         counts[axis] = std::min(finest, static_cast<std::size_t>(double(counts[axis]) * finer) + 1);
     return counts[axis];
 }
 
+Counts made_coarser(Counts counts)
+{
+    for (std::size_t& count : counts)
+        count = std::max(coarsest, static_cast<std::size_t>(double(count) * coarser));
+    return counts;
+}
+
 /// Each angle by its own share of the error; then all of them as coarse as the whole allows.
-Counts counts_for(const Trial& trial, std::size_t angles, double error)
+template <class Error>
+Counts counts_for(const Error& error_of, std::size_t angles, double error)
 {
     Counts counts;
     for (std::size_t axis = 0; axis < angles; ++axis)
-        counts.push_back(samples_of(trial, angles, axis, error / double(angles)));
-    for (Counts fewer = counts;; counts = fewer) {
-        for (std::size_t& count : fewer)
-            count = std::max(coarsest, static_cast<std::size_t>(double(count) * coarser));
-        if (fewer == counts || trial.error(fewer) > error) return counts;
+        counts.push_back(samples_of(error_of, angles, axis, error / double(angles)));
+    for (;;) {
+        const Counts fewer = made_coarser(counts);
+        if (fewer == counts || error_of(fewer) > error) return counts;
+        counts = fewer;
     }
 }
 
 }  // namespace
 
-void fit_grid(Job& job, const GridFit& fit, double max_error)
+GridFitter::GridFitter(const Job& job, const GridFit& fit) : angles_(angles(fit.kind))
 {
     if (job.materials.size() > most_materials)
         throw UsageError(fmt::format(
             "{}a sweep of {} materials on a grid that is fitted to all of them; allowed are {}",
             job.where, job.materials.size(), most_materials));
-    const Trial search(job, fit, searched_pairs, 1), check(job, fit, checked_pairs, 2);
-    Counts counts;
+    search_ = std::make_unique<Trial>(job, fit, searched_pairs, 1);
+    check_ = std::make_unique<Trial>(job, fit, checked_pairs, 2);
+}
+
+GridFitter::~GridFitter() = default;
+
+double GridFitter::error(const Counts& counts) const
+{
+    return std::max(search_->error(counts), check_->error(counts));
+}
+
+FittedCounts GridFitter::fit(double max_error) const
+{
+    FittedCounts fitted;
+    const auto error_of = [&](const Counts& counts) { return search_->error(counts); };
     for (double target = aim * max_error;; target *= aim) {
-        const Counts wanted = counts_for(search, angles(fit.kind), target);
-        if (!fits(wanted) && !counts.empty()) break;
-        counts = wanted;
-        while (!fits(counts))
-            for (std::size_t& count : counts)
-                count = std::max(coarsest, static_cast<std::size_t>(double(count) * coarser));
-        job.interpolation_error = std::max(search.error(counts), check.error(counts));
-        if (job.interpolation_error <= max_error || counts != wanted) break;
+        const Counts wanted = counts_for(error_of, angles_, target);
+        const bool fits = cells_of(wanted) <= most_cells;
+        if (!fits && !fitted.counts.empty()) break;
+        fitted.counts = wanted;
+        while (cells_of(fitted.counts) > most_cells) fitted.counts = made_coarser(fitted.counts);
+        fitted.error = error(fitted.counts);
+        if (fitted.error <= max_error || !fits) break;
     }
-    job.grid = grid_of(fit, counts);
+    return fitted;
+}
+
+void fit_grid(Job& job, const GridFit& fit, double max_error)
+{
+    const FittedCounts fitted = GridFitter(job, fit).fit(max_error);
+    job.grid = grid_of(fit, fitted.counts);
+    job.interpolation_error = fitted.error;
     job.max_error = max_error;
     job.must_reach = true;
 }

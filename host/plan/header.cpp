@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compute/horizon.hpp"
 #include "output/table_json.hpp"
 #include "plan/fitted_grid.hpp"
 #include "plan/integral_axes.hpp"
@@ -83,6 +84,17 @@ std::size_t cells_at_the_horizon(const Grid& grid)
         above *= axis.values.size() - (ends_there ? 1 : 0);
     }
     return cells - above;
+}
+
+/// In place of what the attribute was, or behind all others.
+void put(TableHeader& header, std::string_view name, double value)
+{
+    const auto found = std::ranges::find(header.attributes, name,
+                                         [](const auto& attribute) { return attribute.first; });
+    if (found == header.attributes.end())
+        header.attributes.emplace_back(name, value);
+    else
+        found->second = value;
 }
 
 std::string conversion_text(const Job& job)
@@ -182,14 +194,18 @@ TableHeader make_header(const Job& job, const TableRequest& request,
             attributes.add("interpolation",
                            fmt::format("{}, to {} deg from the normal",
                                        request.fit->cubic ? "cubic" : "linear", fitted_theta));
-            attributes.add("interpolation.max_error", job.max_error);
+            if (job.max_error > 0) attributes.add("interpolation.max_error", job.max_error);
             attributes.add("interpolation.error", job.interpolation_error);
         }
     } else {
-        attributes.add("max_error", job.max_error);
+        if (job.max_error > 0) attributes.add("max_error", job.max_error);
         attributes.add("directions",
                        std::string("normal +z, tangent +x; mu is the cosine between a "
                                    "direction and the normal"));
+    }
+    if (job.seconds) {
+        attributes.add("time", *job.seconds);
+        attributes.add("time.unit", std::string("s"));
     }
     if (const auto cells = cells_at_the_horizon(job.grid); cells != 0) {
         attributes.add("horizon", std::string("cells with a direction at 90 deg hold the limit "
@@ -214,6 +230,28 @@ TableHeader make_header(const Job& job, const TableRequest& request,
     }
     header.attributes = attributes.all();
     return header;
+}
+
+void count_horizon(Job& job)
+{
+    if (!touches_horizon(job.grid)) return;
+    std::size_t poles = 0;
+    for (const Material& material : job.materials)
+        poles += count_poles(make_reference(material, job.measure), job.grid,
+                             job.header.channels.size());
+    put(job.header, "horizon.without_limit", static_cast<double>(poles));
+}
+
+void set_grid(Job& job, const Grid& grid, double interpolation_error)
+{
+    job.grid = grid;
+    job.interpolation_error = interpolation_error;
+    TableHeader& header = job.header;
+    std::ranges::copy(grid.axes, header.axes.end() - std::ssize(grid.axes));
+    put(header, "interpolation.error", interpolation_error);
+    if (const auto cells = cells_at_the_horizon(grid); cells != 0)
+        put(header, "horizon.cells", static_cast<double>(cells));
+    count_horizon(job);
 }
 
 std::string definition(const Job& job)

@@ -31,4 +31,11 @@ TableHeader make_header(const Job& job, const TableRequest& request,
 TableHeader make_light_header(const Job& job, const std::string& material,
                               const std::vector<Axis>& axes);
 
+/// Says in the header how many samples at exactly 90 degrees hold 0 because the model has no limit
+/// there.
+void count_horizon(Job& job);
+
+/// Another grid of the same kind for a job whose grid is fitted, in its header too.
+void set_grid(Job& job, const Grid& grid, double interpolation_error);
+
 }  // namespace gonio

@@ -109,7 +109,8 @@ void fill_integral(Job& job, const TableRequest& request, const std::vector<Lobe
                                                             std::vector{(*setting.values)[at]});
         }
     }
-    job.max_error = request.budget.max_error.value_or(job.max_error);
+    job.seconds = request.budget.seconds;
+    job.max_error = request.budget.max_error.value_or(job.seconds ? 0 : job.max_error);
     job.must_reach = request.budget.max_error.has_value();
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "compute/horizon.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/job.hpp"
 #include "output/check.hpp"
@@ -193,22 +192,16 @@ private:
         for (const auto& point : combinations(axes))
             job.materials.push_back({"", at_point(lobes, axes, point)});
         job.measure = request.quantity->id == "brdf_cosine" ? Measure::brdf_cosine : Measure::brdf;
-        if (request.fit)
+        if (request.fit && request.budget.seconds) {
+            job.fit = request.fit;
+            job.seconds = request.budget.seconds;
+            job.max_error = request.budget.max_error.value_or(0);
+            job.must_reach = request.budget.max_error.has_value();
+            job.grid = coarsest_grid(*request.fit);
+        } else if (request.fit)
             fit_grid(job, *request.fit, *request.budget.max_error);
         else
             job.grid = *request.grid;
-    }
-
-    /// Says in the header how many samples at exactly 90 degrees hold 0 because the model has no
-    /// limit there.
-    static void count_horizon(Job& job)
-    {
-        if (!touches_horizon(job.grid)) return;
-        std::size_t poles = 0;
-        for (const Material& material : job.materials)
-            poles += count_poles(make_reference(material, job.measure), job.grid,
-                                 job.header.channels.size());
-        job.header.attributes.emplace_back("horizon.without_limit", static_cast<double>(poles));
     }
 
     static void check_frame(const Job& job)

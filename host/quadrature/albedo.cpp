@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "compute/idle_lobes.hpp"
 #include "grid/angles.hpp"
 #include "opencl/albedo_kernel.hpp"
 #include "plan/interrupt.hpp"
 #include "quadrature/spread.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -46,15 +48,23 @@ public:
         if (is_broad) maps_.push_back(map_hemisphere);
     }
 
-    void refine(double max_error)
+    /// seconds: as AlbedoOptions, for this lobe.
+    void refine(double max_error, double seconds)
     {
-        for (const int order : orders)
+        const Stopwatch since;
+        for (std::size_t k = 0; k < orders.size(); ++k) {
+            const double before = since.seconds();
             for (const quadrature_map map : maps_) {
                 const auto wanted = unfinished(max_error);
-                if (!wanted.empty()) order_ = order;
+                if (!wanted.empty()) order_ = orders[k];
                 for (std::size_t first = 0; first < wanted.size();)
-                    first = integrate(map, order, wanted, first);
+                    first = integrate(map, orders[k], wanted, first);
             }
+            if (k == 0 || k + 1 == orders.size()) continue;
+            // A rule has nodes in both angles.
+            const double growth = double(orders[k + 1]) / orders[k], now = since.seconds();
+            if (now + (now - before) * growth * growth > seconds) break;
+        }
     }
 
     void add_to(Albedos& sum) const
@@ -153,16 +163,20 @@ glm::dvec3 unit_vector(const Incidence& at)
 Albedos integrate_albedos(const Device& device, const std::vector<Material>& materials,
                           const std::vector<AlbedoCell>& cells, const AlbedoOptions& options)
 {
-    const std::size_t lobes = materials.front().lobes.size();
     Albedos sum;
     sum.value.assign(materials.front().channels(), std::vector<double>(cells.size()));
     sum.error = sum.value;
-    for (std::size_t lobe = 0; lobe < lobes; ++lobe) {
+    const std::vector<std::size_t> lit = lobes_with_light(materials);
+    double seconds = options.seconds;
+    for (std::size_t k = 0; k < lit.size(); ++k) {
         std::vector<Material> alone;
         for (const Material& material : materials)
-            alone.push_back({material.name, {material.lobes[lobe]}});
+            alone.push_back({material.name, {material.lobes[lit[k]]}});
         LobeIntegrals integrals(device, alone, cells, options.fixed);
-        integrals.refine(options.max_error / static_cast<double>(lobes));
+        const Stopwatch since;
+        integrals.refine(options.max_error / static_cast<double>(lit.size()),
+                         seconds / static_cast<double>(lit.size() - k));
+        seconds -= since.seconds();
         integrals.add_to(sum);
     }
     return sum;

@@ -30,6 +30,11 @@ bool has_other_option(const Lobe& lobe, std::string_view choice, std::string_vie
     return lobe.model->parameters[index].options[chosen].name != option;
 }
 
+double seconds_of(const Job& job)
+{
+    return job.seconds.value_or(AlbedoOptions{}.seconds);
+}
+
 /// Albedos of cells in any order.
 Albedos integrate(const Device& device, const std::vector<Material>& materials,
                   const std::vector<IntegralCell>& cells, const AlbedoOptions& options)
@@ -51,7 +56,7 @@ Albedos integrate(const Device& device, const std::vector<Material>& materials,
 
 Albedos means_of_cells(const Device& device, const Job& job)
 {
-    Albedos means = mean_albedos(device, job.materials, job.max_error);
+    Albedos means = mean_albedos(device, job.materials, job.max_error, seconds_of(job));
     for (auto* planes : {&means.value, &means.error})
         for (auto& plane : *planes) {
             std::vector<double> of_cells;
@@ -67,8 +72,9 @@ Albedos split_sum(const Device& device, const Job& job, bool multiscatter)
     std::vector<Material> materials = job.materials;
     for (Material& material : materials)
         for (Lobe& lobe : material.lobes) lobe.set("f0", std::vector{1.0, 0.0});
-    Albedos all = integrate(device, materials, job.cells,
-                            {Fixed::viewer, job.max_error / (multiscatter ? 1 : 2)});
+    Albedos all =
+        integrate(device, materials, job.cells,
+                  {Fixed::viewer, job.max_error / (multiscatter ? 1 : 2), seconds_of(job)});
     if (multiscatter) {
         std::swap(all.value[0], all.value[1]);
         std::swap(all.error[0], all.error[1]);
@@ -108,7 +114,7 @@ Albedos albedos_of(const Device& device, const Job& job)
     if (quantity == "kulla_conty") return multiscatter_lobe(device, job);
     const bool viewer = quantity == "hemispherical_directional_reflectance";
     return integrate(device, job.materials, job.cells,
-                     {viewer ? Fixed::viewer : Fixed::light, job.max_error});
+                     {viewer ? Fixed::viewer : Fixed::light, job.max_error, seconds_of(job)});
 }
 
 void check_mirror_term(const Material& material)

@@ -27,8 +27,8 @@ struct DerivedTable {
 DerivedTable derive(const Device& device, const Job& job);
 
 /// 2 times the integral of the directional albedo times mu over mu, and over azimuths:
-/// value[channel][material].
-Albedos mean_albedos(const Device& device, const std::vector<Material>& materials,
-                     double max_error);
+/// value[channel][material]. seconds: as AlbedoOptions.
+Albedos mean_albedos(const Device& device, const std::vector<Material>& materials, double max_error,
+                     double seconds);
 
 }  // namespace gonio

@@ -70,10 +70,11 @@ void check_values(const Job& job, const DerivedTable& table)
                 throw RunError(fmt::format("{}table `{}` has values that are not finite", job.where,
                                            job.name));
     if (job.must_reach && table.largest_error > job.max_error)
-        throw RunError(
-            fmt::format("{}table `{}`: the largest error is {:.2g} at the highest order; asked for "
-                        "is {:.2g}",
-                        job.where, job.name, table.largest_error, job.max_error));
+        throw RunError(fmt::format(
+            "{}table `{}`: the largest error is {:.2g} at the highest order{}; asked for is {:.2g}",
+            job.where, job.name, table.largest_error,
+            job.seconds ? fmt::format(" for which {} s are enough", *job.seconds) : "",
+            job.max_error));
 }
 
 }  // namespace

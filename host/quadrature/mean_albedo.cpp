@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "quadrature/derived.hpp"
 #include "quadrature/rules.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -34,13 +36,13 @@ struct Directions {
 };
 
 Albedos mean_of_order(const Device& device, const std::vector<Material>& materials, int order,
-                      double max_error)
+                      const AlbedoOptions& options)
 {
     const Directions directions(order, std::ranges::all_of(materials, &Material::isotropic));
     std::vector<AlbedoCell> cells;
     for (std::size_t m = 0; m < materials.size(); ++m)
         for (const Incidence& at : directions.at) cells.push_back({m, at});
-    Albedos all = integrate_albedos(device, materials, cells, {Fixed::light, max_error});
+    Albedos all = integrate_albedos(device, materials, cells, options);
     const auto mean = [&](std::vector<double>& plane) {
         std::vector<double> means(materials.size());
         for (std::size_t k = 0; k < plane.size(); ++k)
@@ -54,11 +56,20 @@ Albedos mean_of_order(const Device& device, const std::vector<Material>& materia
 
 }  // namespace
 
-Albedos mean_albedos(const Device& device, const std::vector<Material>& materials, double max_error)
+Albedos mean_albedos(const Device& device, const std::vector<Material>& materials, double max_error,
+                     double seconds)
 {
-    Albedos lower = mean_of_order(device, materials, orders.front(), max_error / 2);
+    const Stopwatch since;
+    // What is left of the time is shared by this order and those behind it, as they have nodes.
+    const auto of_order = [&](std::size_t k) {
+        const double share = orders[k] / std::accumulate(orders.begin() + k, orders.end(), 0.0);
+        return mean_of_order(device, materials, orders[k],
+                             {Fixed::light, max_error / 2, share * (seconds - since.seconds())});
+    };
+    Albedos lower = of_order(0);
     for (std::size_t k = 1; k < orders.size(); ++k) {
-        Albedos higher = mean_of_order(device, materials, orders[k], max_error / 2);
+        const double before = since.seconds();
+        Albedos higher = of_order(k);
         higher.evaluated += lower.evaluated;
         higher.kernel_seconds += lower.kernel_seconds;
         bool reached = true;
@@ -69,7 +80,8 @@ Albedos mean_albedos(const Device& device, const std::vector<Material>& material
                 reached = reached && higher.error[c][m] <= max_error * std::max(1.0, value);
             }
         lower = std::move(higher);
-        if (reached) break;
+        const double now = since.seconds();
+        if (reached || now + (now - before) > seconds) break;
     }
     return lower;
 }

@@ -11,6 +11,7 @@
 #include "quadrature/derived.hpp"
 #include "quadrature/rules.hpp"
 #include "reference/fresnel.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -71,7 +72,9 @@ Albedos multiscatter_lobe(const Device& device, const Job& job)
     for (const Material& material : job.materials) facets.push_back(white(material));
     // What is lost is divided by its mean, and errors with it.
     const double max_error = job.max_error / 4;
-    const Albedos means = mean_albedos(device, facets, max_error);
+    const Stopwatch since;
+    const double seconds = job.seconds.value_or(AlbedoOptions{}.seconds);
+    const Albedos means = mean_albedos(device, facets, max_error, seconds / 2);
     // Each direction of a material once.
     std::map<std::pair<std::size_t, double>, std::size_t> place;
     for (const IntegralCell& cell : job.cells)
@@ -82,7 +85,8 @@ Albedos multiscatter_lobe(const Device& device, const Job& job)
         index = ends.size();
         ends.push_back({end.first, {end.second, 0}});
     }
-    const Albedos found = integrate_albedos(device, facets, ends, {Fixed::light, max_error});
+    const Albedos found = integrate_albedos(device, facets, ends,
+                                            {Fixed::light, max_error, seconds - since.seconds()});
 
     Albedos lobe = found;
     const std::size_t channels = job.materials.front().channels();

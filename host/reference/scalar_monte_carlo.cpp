@@ -254,6 +254,7 @@ MonteCarloResult Simulation::run()
     const std::size_t size = (request_.photons + request_.batches - 1) / request_.batches;
     for (std::size_t batch = 0; batch < request_.batches; ++batch) {
         for (std::size_t i = 0; i < size; ++i) {
+            if (request_.before_photon) request_.before_photon(batch * size + i);
             Photon photon = launch();
             follow(photon);
         }

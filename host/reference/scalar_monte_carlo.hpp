@@ -19,6 +19,8 @@ struct MonteCarloRequest {
     std::uint64_t seed = 1;
     /// Where numbers in (0, 1) come from; empty: the Mersenne Twister, by the seed.
     std::function<double()> uniform = {};
+    /// Gets a photon's number before it draws its own first one; may be empty.
+    std::function<void(std::size_t)> before_photon = {};
     bool diffuse = false;  ///< Lambertian light, else a pencil beam
     double incidence = 0;  ///< of the pencil beam, towards +x; rad from the normal, in [0, pi / 2)
 

@@ -114,7 +114,7 @@ bool Lobe::isotropic() const
     const auto agree = [this](const Both& both) {
         return values[model->index_of(both.first)] == values[model->index_of(both.second)];
     };
-    const auto is_there = [this](const IsotropicAt& at) {
+    const auto is_there = [this](const ParameterAt& at) {
         return values[model->index_of(at.name)] == std::vector{at.number};
     };
     return std::ranges::all_of(model->both, agree) &&

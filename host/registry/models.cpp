@@ -16,7 +16,7 @@ struct Builder {
     Builder()
     {
 #define MODEL(id, title, citation, traits) \
-    models.push_back({#id, title, citation, traits, {}, {}, {}, {}});
+    models.push_back({#id, title, citation, traits, {}, {}, {}, {}, {}});
 #define NOTE(id, text) models.back().notes.push_back(text);
 #define SCALAR(id, name, unit, least, greatest, preset, doc) \
     models.back().parameters.push_back(                      \
@@ -37,6 +37,7 @@ struct Builder {
     }
 #define BOTH(id, alias, first, second) models.back().both.push_back({#alias, #first, #second});
 #define ISOTROPIC_AT(id, name, number) models.back().isotropic_at.push_back({#name, number});
+#define DARK_AT(id, name, number) models.back().dark_at.push_back({#name, number});
 #define ALIAS(alias, id, choice, option) aliases.push_back({#alias, #id, #choice, #option});
 #include "gonio/shared/models.inc"
     }

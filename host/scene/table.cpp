@@ -59,26 +59,24 @@ void check_solver(const Section& table, const TableRequest& request)
                                 request.quantity->id, other, needed));
     if (request.quantity->on_grid() || !request.quantity->axes.empty()) table.at(needed);
     if (request.solver == "quadrature")
-        for (const auto key : {"time", "photons"})
-            if (const auto value = table.find(key))
-                value->fail(
-                    fmt::format("an integral has no `{}`: `max_error` sets how exact it is", key));
+        if (const auto photons = table.find("photons"))
+            photons->fail(
+                "an integral has no `photons`: `max_error` or `time` set how exact it is");
     if (request.solver != "closed_form") return;
-    for (const auto key : {"time", "photons"})
-        if (const auto value = table.find(key))
-            value->fail(
-                fmt::format("this version has no `{}` for the quantity `{}`, whose closed "
-                            "form is exact everywhere",
-                            key, request.quantity->id));
-    const auto max_error = table.find("max_error");
-    if (request.fit && !max_error)
+    if (const auto photons = table.find("photons"))
+        photons->fail(
+            fmt::format("the quantity `{}` has no `photons`: its closed form is exact everywhere",
+                        request.quantity->id));
+    if (request.fit && !table.find("max_error") && !table.find("time"))
         table.at("grid").fail(
             "this grid needs a count for each of its angles, or the table a `max_error` that "
-            "interpolation keeps to");
-    if (!request.fit && max_error)
-        max_error->fail(
-            "a grid with counts has no `max_error`: leave the counts away, and they "
-            "are chosen by it");
+            "interpolation keeps to, or a `time`");
+    if (request.fit) return;
+    for (const auto key : {"max_error", "time"})
+        if (const auto value = table.find(key))
+            value->fail(fmt::format(
+                "a grid with counts has no `{}`: leave the counts away, and they are chosen by it",
+                key));
 }
 
 std::string read_solver(const Section& table, const Quantity& quantity)

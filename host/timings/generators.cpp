@@ -5,6 +5,9 @@
 #include <array>
 #include <bit>
 #include <cstdlib>
+#include <memory>
+
+#include "timings/sobol.hpp"
 
 namespace gonio {
 namespace {
@@ -161,10 +164,56 @@ private:
     std::size_t first_ = 54, second_ = 30;
 };
 
-template <class Words>
-std::function<double()> uniforms(std::uint32_t seed)
+/// Scrambled Sobol points for the first numbers of each photon, anew in each batch; a stream for
+/// the rest of them.
+class ScrambledSobol {
+public:
+    ScrambledSobol(std::uint32_t seed, std::size_t batch) : keys_(seed), batch_(batch), rest_(seed)
+    {
+    }
+
+    void begin(std::size_t photon)
+    {
+        point_ = std::uint32_t(photon % batch_);
+        dimension_ = 0;
+        if (point_ == 0)
+            for (std::size_t d = 0; d < sobol_dimensions; ++d)
+                key_[d] = keys_.block(photon / batch_ * sobol_dimensions + d)[0];
+    }
+
+    std::uint32_t operator()()
+    {
+        if (dimension_ == sobol_dimensions) return rest_();
+        const std::size_t d = dimension_++;
+        return owen_scrambled(sobol(point_, d), key_[d]);
+    }
+
+private:
+    Philox<10> keys_;
+    std::size_t batch_;
+    Xoshiro rest_;
+    std::uint32_t point_ = 0;
+    std::size_t dimension_ = sobol_dimensions;
+    std::array<std::uint32_t, sobol_dimensions> key_{};
+};
+
+Numbers scrambled_sobol(std::uint32_t seed, std::size_t batch)
 {
-    return [words = Words(seed)]() mutable { return uniform_of(words()); };
+    const auto words = std::make_shared<ScrambledSobol>(seed, batch);
+    return {[words] { return uniform_of((*words)()); },
+            [words](std::size_t photon) { words->begin(photon); }};
+}
+
+template <class Words>
+Numbers uniforms(std::uint32_t seed, std::size_t /*batch*/)
+{
+    return {[words = Words(seed)]() mutable { return uniform_of(words()); }};
+}
+
+template <class Uniform>
+Numbers as_they_are(std::uint32_t seed, std::size_t /*batch*/)
+{
+    return {Uniform(seed)};
 }
 
 }  // namespace
@@ -177,10 +226,9 @@ const std::vector<Generator>& generators()
         {"Philox4x32-7", uniforms<Philox<7>>},
         {"PCG32", uniforms<Pcg>},
         {"multiply with carry", uniforms<MultiplyWithCarry>},
-        {"bad: congruence of 15 bits",
-         [](std::uint32_t seed) -> std::function<double()> { return Congruence(seed); }},
-        {"bad: lagged Fibonacci (MCML's)",
-         [](std::uint32_t seed) -> std::function<double()> { return Subtractive(seed); }},
+        {"scrambled Sobol, then xoshiro128++", scrambled_sobol},
+        {"bad: congruence of 15 bits", as_they_are<Congruence>},
+        {"bad: lagged Fibonacci (MCML's)", as_they_are<Subtractive>},
     };
     return all;
 }

@@ -2,6 +2,7 @@
 // Generators of random numbers to compare, good and bad ones.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -9,10 +10,17 @@
 
 namespace gonio {
 
+/// A source of numbers in (0, 1).
+struct Numbers {
+    std::function<double()> uniform;
+    /// What comes next are those of a photon; empty where that is the same to all of them.
+    std::function<void(std::size_t photon)> begin = {};
+};
+
 struct Generator {
     std::string_view name;
-    /// Makes a source of numbers in (0, 1).
-    std::function<std::function<double()>(std::uint32_t seed)> make;
+    /// So many consecutive photons are a batch, independent of the others.
+    std::function<Numbers(std::uint32_t seed, std::size_t batch)> make;
 };
 
 const std::vector<Generator>& generators();

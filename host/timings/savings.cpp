@@ -5,6 +5,8 @@
 #include "gonio/compute.hpp"
 #include "gonio/job.hpp"
 #include "gonio/photons.hpp"
+#include "photon/asked_layers.hpp"
+#include "photon/exact_values.hpp"
 #include "plan/batch.hpp"
 #include "timings/sections.hpp"
 #include "timings/skin.hpp"
@@ -46,6 +48,24 @@ Contest of_tables(const BenchRun& run, const std::string& name, const std::strin
     return {name, [timed] { return timed(true); }, [timed] { return timed(false); }};
 }
 
+/// Skin where blood absorbs most, down to the layers that light comes back from.
+Contest of_layers()
+{
+    const Job job = plan_jobs(parse_scene("[[material]]\nname = \"m\"\nskin = \"meglinski_2002\"\n"
+                                          "wavelength = 420\n[[table]]\nmaterial = \"m\"\n"
+                                          "quantity = \"mean_albedo\"\nmax_error = 1e-4\n",
+                                          "layers"))
+                        .front();
+    const auto timed = [job](bool leave_out) {
+        return seconds_on_the_wall([&] {
+            LightJob light = *job.layers;
+            if (leave_out) light.medium = asked_layers(job).medium;
+            exact_values(light, job.header.axes);
+        });
+    };
+    return {"skin at 420 nm", [timed] { return timed(true); }, [timed] { return timed(false); }};
+}
+
 /// Adding-doubling in place of as many photons as have the same error.
 Contest of_skin(const BenchRun& run)
 {
@@ -85,7 +105,20 @@ BenchPlot bench_savings(const BenchRun& run)
                   "{ model = \"ggx\" }, { model = \"phong\", weight = 0 }, "
                   "{ model = \"strauss\", weight = 0 }",
                   1));
+    add(of_tables(run, "a lobe of no reflectance",
+                  "{ model = \"oren_nayar\" }, { model = \"cook_torrance\", "
+                  "parameters = { fresnel = \"dielectric\", eta = 1 } }",
+                  1));
+    add(of_tables(run, "grey gloss on a colour",
+                  "{ model = \"lambert\", parameters = { rho = [0.5, 0.3, 0.2] } }, "
+                  "{ model = \"ggx\", parameters = { fresnel = \"dielectric\" } }",
+                  1));
+    add(of_tables(run, "three channels that agree",
+                  "{ model = \"ggx\", parameters = { fresnel = \"dielectric\", "
+                  "eta = [1.5, 1.5, 1.5] } }",
+                  1));
     add(of_tables(run, "one table, twice", "{ model = \"oren_nayar\" }", 2));
+    add(of_layers());
     add(of_skin(run));
     std::vector<std::function<double()>> runs;
     for (const Contest& contest : contests) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "gonio/device.hpp"
@@ -32,6 +33,9 @@ struct AlbedoCell {
 struct AlbedoOptions {
     Fixed fixed = Fixed::light;
     double max_error = 1e-6;  ///< of an albedo up to 1, absolute; relative above
+    /// No order is begun with which all would take longer than this, s, as the lower ones tell; the
+    /// lowest two always are. Building programs is not counted.
+    double seconds = std::numeric_limits<double>::infinity();
 };
 
 /// value[channel][cell], and bounds of the errors: what two orders differ by, and what float32

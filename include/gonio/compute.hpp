@@ -17,7 +17,8 @@ namespace gonio {
 using RowSink = std::function<void(const Rows<float>&)>;
 
 struct ComputeOptions {
-    /// Leave out what follows from the rest: mirror images, reciprocal halves, lobes of weight 0.
+    /// Leave out what follows from the rest, or is nothing: mirror images, reciprocal halves, lobes
+    /// that reflect nothing, channels and colours that agree, Fresnel factors of 1.
     bool leave_out = true;
     std::size_t tile_bytes = std::size_t{64} << 20;  ///< upper bound of one tile; two are in flight
 };

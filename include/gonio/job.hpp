@@ -48,7 +48,10 @@ struct Job {
     double max_error = 1e-6;  ///< of an integral, or of interpolation on a grid that was fitted
     double interpolation_error = 0;  ///< that such a grid has
     bool must_reach = false;         ///< it is an error if the max_error asked for is not reached
-    TableHeader header;              ///< swept axes first, then those of the grid or the cells
+    /// For the whole of an integral or of a fitted grid, s: as exact as that allows.
+    std::optional<double> seconds;
+    std::optional<GridFit> fit;  ///< of a grid that is chosen by time, when the table is made
+    TableHeader header;          ///< swept axes first, then those of the grid or the cells
     std::filesystem::path path;
     std::string format = "exr";
     WriteOptions write;

@@ -50,8 +50,8 @@ struct Both {
     std::string_view alias, first, second;
 };
 
-/// A material is isotropic only if its parameter of that name is that number.
-struct IsotropicAt {
+/// A parameter at one of its numbers, in every channel.
+struct ParameterAt {
     std::string_view name;
     double number;
 };
@@ -61,8 +61,9 @@ struct Model {
     unsigned traits = PLAIN;
     std::vector<Parameter> parameters;  ///< in the order of the block
     std::vector<Both> both;
-    std::vector<IsotropicAt> isotropic_at;
-    std::vector<std::string_view> notes;  ///< what a user should know: limits, our readings
+    std::vector<ParameterAt> isotropic_at;  ///< it is isotropic only there
+    std::vector<ParameterAt> dark_at;       ///< it reflects nothing there
+    std::vector<std::string_view> notes;    ///< what a user should know: limits, our readings
 
     /// Index of a parameter, or npos.
     std::size_t index_of(std::string_view name) const;

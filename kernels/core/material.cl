@@ -3,6 +3,7 @@
 //   - LOBES: LOBE(0, ward, 0, 1) LOBE(1, lambert, 0, 1) ...: number, model, whether it prints a
 //     value, which contains cos theta_i, whether it has a weight that is not 1
 //   - CHOICES: the chosen options of all lobes, in order
+//   - SHARED: for all colours of all lobes, in order, whether all channels have the same
 //   - MEASURE: measure_as_printed, measure_brdf or measure_brdf_cosine
 #ifndef GONIO_CORE_MATERIAL
 #define GONIO_CORE_MATERIAL
@@ -12,6 +13,7 @@
 #include "brdf/lambert.cl"
 #define LOBES LOBE(0, lambert, 0, 0)
 #define CHOICES 0
+#define SHARED 0
 #endif
 
 #define measure_as_printed 0
@@ -22,6 +24,7 @@
 #endif
 
 constant const int material_choices[] = {CHOICES};
+constant const int material_shared[] = {SHARED};
 
 typedef struct {
 #define LOBE(number, id, is_value, is_weighted) \
@@ -35,8 +38,9 @@ typedef struct {
 static inline void load_material(material* m, global const float* values)
 {
     constant const int* choices = material_choices;
-#define LOBE(number, id, is_value, is_weighted)      \
-    id##_load(&m->lobe_##number, &values, &choices); \
+    constant const int* shared = material_shared;
+#define LOBE(number, id, is_value, is_weighted)               \
+    id##_load(&m->lobe_##number, &values, &choices, &shared); \
     FOR_CHANNELS(c) m->weight_##number[c] = *values++;
     LOBES
 #undef LOBE

@@ -56,6 +56,40 @@ TEST(PlanInWords, SaysWhatLayersLeaveOut)
                                                           "the tally of absorbed light"}));
 }
 
+TEST(PlanInWords, SaysWhichChannelsAndFactorsAreNotComputed)
+{
+    const std::string grid =
+        "[[table]]\nmaterial = \"a\"\nquantity = \"brdf\"\n"
+        "grid = { kind = \"isotropic\", theta_i = 4, theta_o = 4, delta_phi = 64 }\n";
+    const JobPlan grey = plan_of(
+        "[[material]]\nname = \"a\"\nlobes = [ { model = \"lambert\", parameters = { rho = "
+        "[0.5, 0.5, 0.2] } }, { model = \"ggx\" } ]\n" +
+        grid);
+    EXPECT_EQ(left_out(grey),
+              (std::vector<std::string>{"20 of 22 models", "weights", "Fresnel's reflectance",
+                                        "1 of 3 channels", "channels of 1 of 2 lobes",
+                                        "tangent frames"}));
+    EXPECT_EQ(grey.left_out[3].saving, 1.5);
+    EXPECT_EQ(grey.definitions.front(), "CHANNELS=2");
+    const JobPlan dark = plan_of(
+        "[[material]]\nname = \"a\"\nlobes = [ { model = \"lambert\" }, { model = "
+        "\"cook_torrance\", parameters = { fresnel = \"dielectric\", eta = 1 } } ]\n" +
+        grid);
+    EXPECT_EQ(left_out(dark), (std::vector<std::string>{"21 of 22 models", "1 of 2 lobes",
+                                                        "weights", "tangent frames"}));
+}
+
+TEST(PlanInWords, SaysWhichLayersAreNotNeeded)
+{
+    const JobPlan plan = plan_of(
+        "[[material]]\nname = \"a\"\nlayers = [ { n = 1.4, d = 0.1 }, { mua = 20, mus = 20, n = "
+        "1.4, d = 0.5 }, { mus = 100, n = 1.4, d = 1 }, { mua = 1, n = 1.5, d = 1 } ]\n"
+        "[[table]]\nmaterial = \"a\"\nquantity = \"mean_albedo\"\nmax_error = 1e-3\n");
+    EXPECT_EQ(left_out(plan),
+              (std::vector<std::string>{"1 of 4 layers", "2 of 3 layers", "photons"}));
+    EXPECT_EQ(plan.left_out[1].saving, 3);
+}
+
 /// Materials of one to three lobes, some of weight 0 or 1, which share their programs.
 class Corpus {
 public:

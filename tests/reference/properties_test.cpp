@@ -145,7 +145,7 @@ TEST(ReferencePropertyTest, IsotropicWhereTheLobeSaysSo)
             EXPECT_LT(greatest_change_by_rotation(form), 1e-11) << describe(form);
             std::vector<std::string_view> splitting;
             for (const Both& both : model.both) splitting.push_back(both.first);
-            for (const IsotropicAt& at : model.isotropic_at) splitting.push_back(at.name);
+            for (const ParameterAt& at : model.isotropic_at) splitting.push_back(at.name);
             for (const std::string_view name : splitting) {
                 Lobe brushed = form;
                 brushed.set(name, {form.values[model.index_of(name)][0] * 0.5});

@@ -25,7 +25,7 @@ TEST(ModelsTest, BlocksAreWhole)
             EXPECT_NE(model.index_of(both.first), Model::npos);
             EXPECT_NE(model.index_of(both.second), Model::npos);
         }
-        for (const IsotropicAt& at : model.isotropic_at)
+        for (const ParameterAt& at : model.isotropic_at)
             EXPECT_NE(model.index_of(at.name), Model::npos);
     }
 }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seconds by the wall's clock.
+#pragma once
+
+#include <chrono>
+
+namespace gonio {
+
+class Stopwatch {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace gonio
