@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <mutex>
 
 #include "compute/make_table.hpp"
 #include "opencl/store_rate.hpp"
@@ -15,7 +14,6 @@
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
 #include "skin/profile_table.hpp"
-#include "skin/skin_sets.hpp"
 #include "skin/skin_table.hpp"
 
 namespace gonio {
@@ -102,14 +100,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
         }
         if (job.skin) {
             Advance advance(progress, job);
-            const auto all =
-                static_cast<double>(sets_of(*job.skin).size() * job.skin->wavelengths.size());
-            double done = 0;
-            std::mutex guard;
-            auto run = make_skin_table(job, [&] {
-                const std::scoped_lock lock(guard);
-                advance(++done / all);
-            });
+            auto run = make_skin_table(job, [&](double part) { advance(part); });
             of_layers +=
                 fmt::format("{}: {} of skin, without noise, error {:.1e}, {}\n", job.name,
                             job.header.quantity, run.at("error").get<double>(), job.path.string());

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "photon/albedo_inversion.hpp"
 #include "photon/bins.hpp"
 #include "photon/mean_path.hpp"
 #include "reference/adding_doubling.hpp"
@@ -163,6 +164,7 @@ ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes,
     if (id == "brdf") return brdf(light, axes, after_each);
     if (id == "directional_albedo") return directional_albedo(light, axes.front());
     if (id == "mean_albedo") return mean_albedo(light);
+    if (id == "single_scattering_albedo") return invert_albedos(light, axes.front(), after_each);
     if (id == "mean_path") return mean_paths(light);
     if (id == "light_budget") return budget(light);
     return by_angle(light, axes.front());

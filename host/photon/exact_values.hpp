@@ -16,7 +16,8 @@ struct ExactValues {
 };
 
 /// Of a job's layers, over the axes of its table. Throws RunError where the max_error is out of
-/// reach. `after_each` is called after each part of a BRDF; what it throws ends the work.
+/// reach. `after_each` is called after each part of a BRDF and each inverted albedo;
+/// what it throws ends the work.
 ExactValues exact_values(
     const LightJob& light, const std::vector<Axis>& axes,
     const std::function<void()>& after_each = [] {});

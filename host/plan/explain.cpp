@@ -165,8 +165,9 @@ void explain_skin(JobPlan& plan, const Device& device, const Job& job)
                          static_cast<double>(wavelengths.size()) / static_cast<double>(bases));
     }
     leave_out_photons(plan, job.skin->tolerance);
-    if (!job.skin->ladders.empty())
-        leave_out(plan, "layers that several sets share", "they are solved once at a wavelength");
+    if (!job.skin->ladders.empty() || job.header.axes.back().name == "d")
+        leave_out(plan, "layers that several sets or folds share",
+                  "they are solved once at a wavelength");
 }
 
 std::string solver_of(const Job& job)

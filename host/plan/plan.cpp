@@ -8,6 +8,7 @@
 #include "gonio/errors.hpp"
 #include "gonio/job.hpp"
 #include "output/check.hpp"
+#include "photon/albedo_inversion.hpp"
 #include "plan/fitted_grid.hpp"
 #include "plan/header.hpp"
 #include "plan/integral_axes.hpp"
@@ -113,7 +114,11 @@ private:
         set_storage(job, request);
         job.header =
             make_light_header(job, material, request.grid ? request.grid->axes : request.axes);
-        located(job.where, [&] { check(job.header); });
+        located(job.where, [&] {
+            check(job.header);
+            if (job.header.quantity == "single_scattering_albedo")
+                check_inversion(*job.layers, job.header.axes.front());
+        });
         return job;
     }
 

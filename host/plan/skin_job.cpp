@@ -15,13 +15,11 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     const bool traced = request.solver == "monte_carlo";
     SkinTask task{.skin = skin,
                   .ladders = {},
-                  .wavelengths = traced ? std::vector<double>() : request.axes[0].values,
+                  .wavelengths = traced ? std::vector<double>() : wavelengths_of(request),
                   .light = request.light,
                   .tolerance = request.budget.max_error.value_or(1e-4)};
     for (const Sweep& sweep : axes) task.ladders.push_back({sweep.parameter, sweep.values});
-    job.header = traced ? profile_header(task, request) : skin_header(task);
-    job.header.quantity = quantity.id;
-    job.header.unit = quantity.unit;
+    job.header = traced ? profile_header(task, request) : skin_header(task, quantity, request.axes);
     job.header.single_precision = job.format == "exr";
     auto& attributes = job.header.attributes;
     attributes.emplace_back("title", std::string(quantity.title));
@@ -30,10 +28,6 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     if (traced) {
         job.profile = profile_request(request);
         job.must_reach = job.profile->max_error.has_value();
-    } else if (quantity.id != "reflectance_spectrum") {
-        job.header.axes.pop_back();  // the wavelength, which the observer has summed over
-        job.header.channels = quantity.id == "colour_rgb" ? std::vector<std::string>{"R", "G", "B"}
-                                                          : std::vector<std::string>{"X", "Y", "Z"};
     }
     job.skin = std::move(task);
 }

@@ -44,6 +44,15 @@ void check_cosines(const Section& table, TableRequest& request)
                             mu));
 }
 
+/// Parts of the light that are reflected.
+void check_albedos(const Value& axes, TableRequest& request)
+{
+    name_axes(axes, request);
+    for (const double albedo : request.axes[0].values)
+        if (!(albedo >= 0 && albedo <= 1))
+            axes.fail(fmt::format("`albedo` is {}; allowed is 0 to 1", albedo));
+}
+
 /// Which light, and what it needs. A quantity with directions of its own has no other.
 void read_light(const Section& table, TableRequest& request)
 {
@@ -84,6 +93,8 @@ void read_light_request(const Section& table, TableRequest& request)
         request.seed = seed->count(0, std::numeric_limits<std::int64_t>::max());
     if (quantity.id == "directional_albedo")
         check_cosines(table, request);
+    else if (quantity.id == "single_scattering_albedo")
+        check_albedos(table.at("axes"), request);
     else if (!quantity.on_grid())
         read_bins(table, request);
     if (request.solver != "adding_doubling") return;

@@ -7,9 +7,11 @@
 #include <numbers>
 
 #include "gonio/skin.hpp"
+#include "scene/bins.hpp"
 #include "scene/material.hpp"
 #include "scene/sweep.hpp"
 #include "scene/table.hpp"
+#include "skin/skin_sets.hpp"
 
 namespace gonio {
 namespace {
@@ -21,6 +23,26 @@ void set(Skin& skin, const Value& value, const std::vector<double>& numbers)
         for (auto number = numbers.rbegin(); number != numbers.rend(); ++number)
             skin.set(value.name(), *number);
     });
+}
+
+constexpr double greatest_thickness = 10;  // cm
+
+/// The quantity's axes, all of them; only the wavelengths of a spectrum may be left away.
+void read_own_axes(const Section& table, TableRequest& request)
+{
+    const Quantity& quantity = *request.quantity;
+    const auto axes = table.find("axes");
+    if (axes && quantity.axes.empty())
+        axes->fail(fmt::format("the quantity `{}` has no axes", quantity.id));
+    if (!axes && quantity.id == "reflectance_spectrum")
+        request.axes = {{"wavelength", "nm", default_wavelengths(), Samples::node}};
+    else if (!quantity.axes.empty())
+        name_axes(table.at("axes"), request);
+    for (const Axis& axis : request.axes)
+        for (const double value : axis.values)
+            if (axis.name == "d" && !(value > 0 && value <= greatest_thickness))
+                axes->fail(fmt::format("`d` is {}; allowed is above 0, up to {} cm", value,
+                                       greatest_thickness));
 }
 
 }  // namespace
@@ -64,19 +86,11 @@ void read_skin_request(const Section& table, const Skin& skin, TableRequest& req
         request.light.incidence =
             theta->number(0, std::nextafter(90.0, 0.0)) * std::numbers::pi / 180;
     }
+    read_own_axes(table, request);
     const auto axes = table.find("axes");
-    if (axes && request.quantity->axes.empty())
-        axes->fail(fmt::format("the quantity `{}` has no axes", request.quantity->id));
-    if (axes && (request.axes.size() != 1 || request.axes[0].name != "wavelength"))
-        axes->fail(
-            fmt::format("the quantity `{}` needs axes = {{ wavelength = {{ from = 380, to = "
-                        "780, count = 81 }} }}",
-                        request.quantity->id));
-    if (!axes) request.axes = {{"wavelength", "nm", default_wavelengths(), Samples::node}};
-    request.axes[0].unit = "nm";
     const Value place = axes ? *axes : table.at("quantity");
     located(place.where(), [&] {
-        for (const double wavelength : request.axes[0].values)
+        for (const double wavelength : wavelengths_of(request))
             static_cast<void>(skin.layers_at(wavelength));
     });
 }

@@ -59,6 +59,17 @@ void add_solver(Attributes& all, const SkinTask& task)
     all.emplace_back("theta_i.unit", std::string("deg"));
 }
 
+std::vector<std::string> channels_of(const Quantity& quantity, std::size_t layers)
+{
+    if (quantity.id == "transmittance_d") return {"Y", "Y.error"};
+    if (quantity.id == "colour_xyz") return {"X", "Y", "Z"};
+    if (quantity.id != "reflectance_spectrum") return {"R", "G", "B"};
+    std::vector<std::string> names{"reflectance", "specular", "transmittance", "bottom"};
+    for (std::size_t k = 1; k <= layers; ++k) names.push_back(fmt::format("layer_{}", k));
+    names.emplace_back("reflectance.error");
+    return names;
+}
+
 }  // namespace
 
 std::vector<Skin> sets_of(const SkinTask& task)
@@ -130,15 +141,19 @@ TableHeader sets_header(const SkinTask& task, const Quantity& quantity)
     return header;
 }
 
-TableHeader skin_header(const SkinTask& task)
+std::vector<double> wavelengths_of(const TableRequest& request)
 {
-    TableHeader header = sets_header(task, find_quantity("reflectance_spectrum", Substance::skin));
+    const auto& axes = request.axes;
+    return !axes.empty() && axes[0].name == "wavelength" ? axes[0].values : default_wavelengths();
+}
+
+TableHeader skin_header(const SkinTask& task, const Quantity& quantity,
+                        const std::vector<Axis>& own)
+{
+    TableHeader header = sets_header(task, quantity);
     add_solver(header.attributes, task);
-    header.axes.push_back({"wavelength", "nm", task.wavelengths, Samples::node});
-    header.channels = {"reflectance", "specular", "transmittance", "bottom"};
-    for (std::size_t k = 1; k <= task.skin.model().layers.size(); ++k)
-        header.channels.push_back(fmt::format("layer_{}", k));
-    header.channels.emplace_back("reflectance.error");
+    header.axes.insert(header.axes.end(), own.begin(), own.end());
+    header.channels = channels_of(quantity, task.skin.model().layers.size());
     return header;
 }
 
@@ -160,7 +175,9 @@ std::vector<std::vector<double>> spectrum_channels(const std::vector<SkinSpectru
 
 Table spectrum_table(const SkinTask& task, const std::vector<SkinSpectrum>& spectra)
 {
-    Table table{skin_header(task), spectrum_channels(spectra)};
+    const Quantity& quantity = find_quantity("reflectance_spectrum", Substance::skin);
+    const Axis wavelengths{"wavelength", "nm", task.wavelengths, Samples::node};
+    Table table{skin_header(task, quantity, {wavelengths}), spectrum_channels(spectra)};
     if (has_colour(task.wavelengths)) add_colours(table.header.attributes, spectra);
     return table;
 }

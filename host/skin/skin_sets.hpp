@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gonio/quantity.hpp"
+#include "gonio/scene.hpp"
 #include "gonio/skin.hpp"
 #include "gonio/table.hpp"
 
@@ -23,14 +24,20 @@ std::string fixed_text(const SkinTask& task);
 /// What all tables of skin have: the ladders as axes, the model and its parameters as attributes.
 TableHeader sets_header(const SkinTask& task, const Quantity& quantity);
 
-/// Axes: the ladders, then the wavelength. Channels: reflectance, specular (a part of it),
-/// transmittance, bottom, one for each layer, and the bound of their errors.
-TableHeader skin_header(const SkinTask& task);
+/// Those of the request's axes, else those that colours are summed over; nm.
+std::vector<double> wavelengths_of(const TableRequest& request);
+
+/// A table without noise. Axes: the ladders, then `own`. Channels of a spectrum: reflectance,
+/// specular (a part of it), transmittance, bottom, one for each layer, and the bound of their
+/// errors.
+TableHeader skin_header(const SkinTask& task, const Quantity& quantity,
+                        const std::vector<Axis>& own);
 
 /// The values of such a table, set after set.
 std::vector<std::vector<double>> spectrum_channels(const std::vector<SkinSpectrum>& spectra);
 
-/// Both. Colours are attributes, set after set, where the wavelengths have one.
+/// Header and values of spectra. Colours are attributes, set after set, where the wavelengths have
+/// one.
 Table spectrum_table(const SkinTask& task, const std::vector<SkinSpectrum>& spectra);
 
 }  // namespace gonio

@@ -90,6 +90,35 @@ TEST(PlanInWords, SaysWhichLayersAreNotNeeded)
     EXPECT_EQ(plan.left_out[1].saving, 3);
 }
 
+TEST(PlanInWords, SaysWhatSkinLeavesOut)
+{
+    const auto skin = [](const std::string& model, const std::string& table) {
+        return plan_of("[[material]]\nname = \"a\"\nskin = \"" + model +
+                       "\"\n[[table]]\nmaterial = \"a\"\n" + table);
+    };
+    const std::string by_distance =
+        "quantity = \"reflectance_r\"\naxes = { wavelength = { from = 400, to = 700, count = 30 }, "
+        "r = { to = 0.2, count = 4 } }\n";
+    const JobPlan absorbing = skin("meglinski_2002", by_distance);
+    EXPECT_EQ(absorbing.solver, "monte_carlo");
+    EXPECT_EQ(absorbing.kernel, "photon/transport.cl");
+    ASSERT_EQ(left_out(absorbing),
+              std::vector<std::string>{"photons of their own for each wavelength"});
+    EXPECT_EQ(absorbing.left_out[0].why, "on the paths of 1 absorption is exchanged");
+    EXPECT_EQ(absorbing.left_out[0].saving, 30);
+    const JobPlan scattering = skin("jacques_1998", by_distance);
+    ASSERT_EQ(scattering.left_out.size(), 1U);
+    EXPECT_GT(scattering.left_out[0].saving, 4);
+    EXPECT_LT(scattering.left_out[0].saving, 8);
+
+    const JobPlan fold = skin("pyxopto",
+                              "quantity = \"transmittance_rgb\"\naxes = { d = { values = "
+                              "[0.1, 0.2] } }\n");
+    EXPECT_EQ(fold.solver, "adding_doubling");
+    EXPECT_EQ(left_out(fold),
+              (std::vector<std::string>{"photons", "layers that several sets or folds share"}));
+}
+
 /// Materials of one to three lobes, some of weight 0 or 1, which share their programs.
 class Corpus {
 public:

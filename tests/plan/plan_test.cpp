@@ -43,6 +43,24 @@ double parameter(const Material& made, std::string_view name, std::size_t lobe =
 const std::string grid_of_360 =
     "kind = \"anisotropic\", theta_i = 2, phi_i = 3, theta_o = 4, phi_o = 5";
 
+TEST(Plan, InvertsAlbedosThatAHalfSpaceCanHave)
+{
+    const auto scene = [](const std::string& layer, const std::string& albedo) {
+        return "[[material]]\nname = \"wax\"\nlayers = [ { mus = 1, mua = 1, n = 1.4" + layer +
+               " } ]\n[[table]]\nmaterial = \"wax\"\nquantity = \"single_scattering_albedo\"\n"
+               "axes = { albedo = { values = [" +
+               albedo + "] } }\n";
+    };
+    EXPECT_EQ(plan(scene("", "0.03, 1")).size(), 1U);
+    EXPECT_EQ(refused_plan(scene("", "0.02, 1")),
+              "scene.toml:4:1: `albedo` is 0.02; allowed is 0.0277778, which the surface reflects "
+              "alone, to 1");
+    EXPECT_EQ(
+        refused_plan(scene(", d = 1", "0.5")),
+        "scene.toml:4:1: the quantity `single_scattering_albedo` is that of a half-space: one "
+        "layer without `d`");
+}
+
 TEST(Plan, MakesAJobOfATable)
 {
     const auto jobs = plan(SceneText{.output = "directory = \"out\"\nprecision = \"half\""}.text());

@@ -65,6 +65,13 @@ TEST(SceneOfLayers, RefusesWhatDoesNotFit)
     EXPECT_EQ(refusal(forearm + "quantity = \"directional_albedo\"\naxes = @{ mu = { to = 1, count "
                                 "= 3, samples = \"node\" } }\n"),
               "`mu` is 0; the cosine of an incident direction must be above 0 and at most 1");
+    const std::string inverse = "quantity = \"single_scattering_albedo\"\naxes = ";
+    EXPECT_EQ(
+        refusal(forearm + inverse + "@{ mu = { to = 1, count = 3 } }\n"),
+        "the quantity `single_scattering_albedo` needs axes = { albedo = { to = …, count = … } "
+        "}");
+    EXPECT_EQ(refusal(forearm + inverse + "@{ albedo = { values = [0.5, 1.2] } }\n"),
+              "`albedo` is 1.2; allowed is 0 to 1");
     EXPECT_EQ(refusal(forearm + "quantity = \"brdf\"\ngrid = @{ kind = \"isotropic\", theta_i = 3, "
                                 "theta_o = 3, delta_phi = 3, samples = \"node\" }\n"),
               "layers have their BRDF on a grid of kind = \"isotropic\" with samples = \"centre\"");

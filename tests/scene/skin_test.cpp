@@ -66,6 +66,46 @@ TEST(SceneOfSkin, SpectraHaveTheirWavelengths)
     for (std::size_t k = 0; k < 18; ++k) EXPECT_GT(table.values[0][k], table.values[1][k]);
 }
 
+TEST(SceneOfSkin, LetsLightThroughFolds)
+{
+    const std::string axes = "d = { values = [0.01, 0.1, 1] } }\n";
+    std::string wavelengths =
+        "wavelength = { from = 380, to = 780, count = 81, samples = \"node\" }, ";
+    const std::string ear =
+        "[[material]]\nname = \"ear\"\nskin = \"pyxopto\"\nparameters = { melanin = { values = "
+        "[0.01, 0.1] } }\n[[table]]\nmaterial = \"ear\"\nformat = \"npy\"\nmax_error = 1e-3\n";
+    const auto made_of = [&](const std::string& table) {
+        const Job job = plan_jobs(parse_scene(ear + table, "s.toml"), testing::TempDir()).at(0);
+        double done = 0;
+        make_skin_table(job, [&](double part) { done = part; });
+        EXPECT_NEAR(done, 1, 1e-9);
+        EXPECT_EQ(definition(job), text_of(to_json(read_header(job.path))));
+        return read_table(job.path);
+    };
+    const Table rgb = made_of("quantity = \"transmittance_rgb\"\naxes = { " + axes);
+    const Table spectra = made_of("quantity = \"transmittance_d\"\naxes = { " + wavelengths + axes);
+    EXPECT_EQ(rgb.header.channels, (std::vector<std::string>{"R", "G", "B"}));
+    ASSERT_EQ(rgb.header.cells(), 6U);
+    ASSERT_EQ(spectra.header.cells(), 486U);
+    for (std::size_t set = 0; set < 2; ++set)
+        for (std::size_t d = 0; d < 3; ++d) {
+            std::vector<double> spectrum;
+            for (std::size_t k = 0; k < 81; ++k)
+                spectrum.push_back(spectra.values[0][(set * 81 + k) * 3 + d]);
+            const auto linear = linear_srgb(tristimulus(default_wavelengths(), spectrum));
+            for (std::size_t c = 0; c < 3; ++c)
+                EXPECT_NEAR(rgb.values[c][set * 3 + d], linear[static_cast<int>(c)], 3e-3);
+        }
+    EXPECT_GT(rgb.values[0][1], 5 * rgb.values[2][1]);  // an ear of 1 mm is red against the light
+    EXPECT_GT(rgb.values[0][1], rgb.values[0][4]);      // and darker with more melanin
+    EXPECT_EQ(
+        refusal(ear + "quantity = \"transmittance_rgb\"\naxes = @{ d = { values = [0, 1] } }\n"),
+        "`d` is 0; allowed is above 0, up to 10 cm");
+    EXPECT_EQ(refusal(ear + "quantity = \"transmittance_d\"\naxes = @{ " + axes),
+              "the quantity `transmittance_d` needs axes = { wavelength = { values = [400, 410, …] "
+              "}, d = { to = …, count = … } }");
+}
+
 TEST(SceneOfSkin, IsLayersAtOneWavelength)
 {
     const Scene scene = parse_scene(
@@ -92,7 +132,8 @@ TEST(SceneOfSkin, IsCheckedBefore)
               "`skin/whole_blood.csv`");
     EXPECT_EQ(refusal(skin + "quantity = @\"colour\"\n"),
               "there is no quantity `colour`; known are: reflectance_spectrum, colour_rgb, "
-              "colour_xyz, reflectance_r, profile_rgb, preintegrated_rgb");
+              "colour_xyz, transmittance_d, transmittance_rgb, reflectance_r, profile_rgb, "
+              "preintegrated_rgb");
     EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\naxes = @{ wavelength = { values = [500] } "
                              "}\n"),
               "the quantity `colour_rgb` has no axes");
