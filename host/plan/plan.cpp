@@ -13,6 +13,7 @@
 #include "plan/header.hpp"
 #include "plan/integral_axes.hpp"
 #include "plan/skin_job.hpp"
+#include "plan/swept_layers.hpp"
 #include "quadrature/derived.hpp"
 #include "scene/located.hpp"
 
@@ -72,11 +73,10 @@ public:
     {
         const SceneMaterial& material = scene_.materials[request.material];
         if (const auto* medium = std::get_if<LayeredMedium>(&material.made_of)) {
-            if (!material.sweeps.empty())
-                throw UsageError(fmt::format(
-                    "{}this version has no sweeps of layers; write a material for each value",
-                    material.sweeps.front().where));
-            keep(make_light_job(request, material.name, *medium));
+            check_amount(request, 1, product(material.sweeps));
+            for (const auto& point : combinations(material.sweeps))
+                keep(make_light_job(request, material,
+                                    swept_layers(*medium, material.sweeps, point), point));
             return;
         }
         std::vector<Sweep> axes, files;
@@ -99,11 +99,11 @@ private:
         jobs_.push_back(std::move(job));
     }
 
-    Job make_light_job(const TableRequest& request, const std::string& material,
-                       const LayeredMedium& medium) const
+    Job make_light_job(const TableRequest& request, const SceneMaterial& material,
+                       const LayeredMedium& medium, const std::vector<double>& point) const
     {
         Job job;
-        job.name = request.name;
+        job.name = request.name + name_of_layers(medium, material.sweeps, point);
         job.layers = LightJob{medium,        request.quantity, request.solver,
                               request.light, request.seed,     request.budget};
         Budget& budget = job.layers->budget;
@@ -113,7 +113,7 @@ private:
         job.must_reach = budget.max_error.has_value();
         set_storage(job, request);
         job.header =
-            make_light_header(job, material, request.grid ? request.grid->axes : request.axes);
+            make_light_header(job, material.name, request.grid ? request.grid->axes : request.axes);
         located(job.where, [&] {
             check(job.header);
             if (job.header.quantity == "single_scattering_albedo")

@@ -143,6 +143,29 @@ TEST(Plan, MakesFilesOfSweeps)
     }
 }
 
+TEST(Plan, MakesFilesOfSweepsOfLayers)
+{
+    const auto scene = [](const std::string& mua) {
+        return "[[material]]\nname = \"milk\"\nlayers = [ { mua = 1, mus = 10, d = 0.1 },\n{ mua "
+               "= " +
+               mua +
+               ", g = { values = [0, 0.9], as = \"files\" } } ]\n"
+               "[[table]]\nmaterial = \"milk\"\nquantity = \"light_budget\"\n";
+    };
+    const auto jobs = plan(scene("{ from = 1, to = 3, count = 3, as = \"files\" }"));
+    ASSERT_EQ(jobs.size(), 6U);
+    EXPECT_EQ(jobs[3].path, "tables/milk-light_budget-layer_2.g=0.9-layer_2.mua=1.exr");
+    const auto& layers = jobs[5].layers->medium.layers;
+    EXPECT_EQ(layers[0].mua, 1);
+    EXPECT_EQ(layers[1].mua, 3);
+    EXPECT_EQ(std::get<HenyeyGreenstein>(layers[1].phase).g, 0.9);
+    EXPECT_EQ(refused_plan(scene("{ values = [1, -2], as = \"files\" }")),
+              "scene.toml:4:9: layer 2: mua = -2 must be finite and at least 0 1/cm");
+    EXPECT_EQ(refused_plan(scene("{ values = [1, 2] }")),
+              "scene.toml:4:9: of layers every value of a sweep makes a file; write as = "
+              "\"files\"");
+}
+
 TEST(Plan, NamesParametersByLobe)
 {
     const auto jobs = plan(SceneText{
