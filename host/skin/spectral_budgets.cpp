@@ -2,17 +2,25 @@
 // Wavelengths are shared among threads; at each of them its sets are solved one after the other.
 #include "skin/spectral_budgets.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "gonio/errors.hpp"
 #include "parallel.hpp"
+#include "photon/exact_values.hpp"
 #include "reference/adding_doubling/directions.hpp"
 #include "reference/adding_doubling/slab_memory.hpp"
 
 namespace gonio {
 namespace {
 
-constexpr std::size_t sharing = 512;         // sets that are solved together
-constexpr std::size_t between_samples = 16;  // spectra are smooth, and so is their error
+constexpr int least_nodes = 17, most_nodes = 512;  // of a hemisphere
+constexpr double step = 1.189207115002721;         // 2^(1/4)
+constexpr std::size_t sharing = 512;               // sets that are solved together
+constexpr std::size_t between_samples = 16;        // spectra are smooth, and so is their error
 
 /// The first, the last and every sixteenth.
 std::vector<std::size_t> spread(std::size_t count)
@@ -23,34 +31,75 @@ std::vector<std::size_t> spread(std::size_t count)
     return chosen;
 }
 
-/// How many nodes each wavelength needs, and the largest error that they leave.
+/// A number of nodes and the error that it leaves.
 struct Rule {
+    int nodes = 0;
+    double error = 0;
+};
+
+/// Tries numbers of nodes, each 2^(1/4) times the one before.
+class Search {
+public:
+    Search(const LightSource& light, double tolerance) : light_(light), tolerance_(tolerance) {}
+
+    /// The first from `least` on whose difference to the next but one is small enough.
+    Rule operator()(const LayeredMedium& medium, int least) const
+    {
+        const reference::LightRequest request{.incidence = {light_.incidence}};
+        std::deque<std::vector<double>> found;
+        double error = 0, nodes = least;
+        for (; nodes <= most_nodes; nodes *= step) {
+            const auto solution = reference::solve_layers_once(medium, request, whole(nodes));
+            found.push_back(parts_of(solution.under(light_).budget));
+            if (found.size() < 3) continue;
+            error = 0;
+            for (std::size_t k = 0; k < found[0].size(); ++k)
+                error = std::max(error, std::abs(found[2][k] - found[0][k]));
+            error *= reference::error_over_difference;
+            if (error <= tolerance_) return {whole(nodes / (step * step)), error};
+            found.pop_front();
+        }
+        throw RunError(fmt::format(
+            "adding-doubling reached an error of {:.1e} and not {:.1e} with {:.0f} nodes", error,
+            tolerance_, nodes / step));
+    }
+
+private:
+    static int whole(double nodes) { return static_cast<int>(std::lround(nodes)); }
+
+    LightSource light_;
+    double tolerance_;
+};
+
+/// How many nodes each wavelength needs, and the largest error that they leave.
+struct Rules {
     std::vector<int> nodes;
     double error = 0;
 };
 
-Rule rule_for(const SpectralMedia& media, const reference::LightRequest& request, double tolerance)
+Rules rules_for(const SpectralMedia& media, const LightSource& light, double tolerance)
 {
+    const Search search(light, tolerance);
     const auto sets = spread(media.sets), wavelengths = spread(media.wavelengths);
-    std::vector<int> nodes(sets.size() * wavelengths.size());
-    std::vector<double> errors(nodes.size());
-    in_parallel(nodes.size(), [&](std::size_t k) {
+    // Red light, which is absorbed least, is easy: nothing needs much less.
+    const Rule last = search(media.at(0, wavelengths.back()), least_nodes);
+    std::vector<Rule> found(sets.size() * wavelengths.size());
+    in_parallel(found.size(), [&](std::size_t k) {
+        if (k + 1 == wavelengths.size()) return void(found[k] = last);
         const auto medium =
             media.at(sets[k / wavelengths.size()], wavelengths[k % wavelengths.size()]);
-        // The error that is known is that of the coarser one of two solutions.
-        const auto solution = reference::solve_layers_to(medium, request, tolerance);
-        nodes[k] = reference::coarser(solution.nodes);
-        errors[k] = solution.error;
+        found[k] = search(medium, last.nodes);
     });
-    Rule rule{std::vector<int>(media.wavelengths), *std::ranges::max_element(errors)};
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
+    Rules rules{std::vector<int>(media.wavelengths), 0};
+    for (std::size_t k = 0; k < found.size(); ++k) {
         const std::size_t which = k % wavelengths.size();
         const std::size_t from = wavelengths[which > 0 ? which - 1 : 0];
         const std::size_t to = wavelengths[std::min(which + 1, wavelengths.size() - 1)];
         for (std::size_t at = from; at <= to; ++at)
-            rule.nodes[at] = std::max(rule.nodes[at], nodes[k]);
+            rules.nodes[at] = std::max(rules.nodes[at], found[k].nodes);
+        rules.error = std::max(rules.error, found[k].error);
     }
-    return rule;
+    return rules;
 }
 
 }  // namespace
@@ -59,8 +108,8 @@ SpectralBudgets solve_budgets(const SpectralMedia& media, const LightSource& lig
                               double tolerance, const std::function<void()>& after_each)
 {
     const reference::LightRequest request{.incidence = {light.incidence}};
-    const Rule rule = rule_for(media, request, tolerance);
-    SpectralBudgets budgets{{}, rule.error};
+    const Rules rules = rules_for(media, light, tolerance);
+    SpectralBudgets budgets{{}, rules.error};
     budgets.of.assign(media.sets, std::vector<reference::LightBudget>(media.wavelengths));
     const std::size_t blocks = (media.sets + sharing - 1) / sharing;
     in_parallel(blocks * media.wavelengths, [&](std::size_t work) {
@@ -69,7 +118,7 @@ SpectralBudgets solve_budgets(const SpectralMedia& media, const LightSource& lig
         for (std::size_t set = block * sharing; set < std::min((block + 1) * sharing, media.sets);
              ++set) {
             const auto solution = reference::solve_layers_once(media.at(set, k), request,
-                                                               rule.nodes[k], std::ref(slabs));
+                                                               rules.nodes[k], std::ref(slabs));
             budgets.of[set][k] = solution.under(light).budget;
             after_each();
         }

@@ -33,6 +33,17 @@ LightOperator operator*(const LightOperator& a, const LightOperator& b)
     return product;
 }
 
+LightOperator symmetric_product(const LightOperator& a, const LightOperator& b)
+{
+    LightOperator product{a.diagonal.cwiseProduct(b.diagonal), {}, a.quadrature};
+    product.kernel = a.diagonal.asDiagonal() * b.kernel;
+    product.kernel += a.kernel * b.diagonal.asDiagonal();
+    product.kernel.triangularView<Eigen::Lower>() +=
+        a.kernel.leftCols(a.quadrature) * b.kernel.topRows(a.quadrature);
+    product.kernel.triangularView<Eigen::StrictlyUpper>() = product.kernel.transpose();
+    return product;
+}
+
 LightOperator after_round_trips(const LightOperator& a, const LightOperator& b)
 {
     const Eigen::Index quadrature = a.quadrature;

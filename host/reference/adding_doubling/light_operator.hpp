@@ -28,6 +28,9 @@ LightOperator operator*(const Eigen::ArrayXd& mirror, const LightOperator& a);
 /// First b, then a.
 LightOperator operator*(const LightOperator& a, const LightOperator& b);
 
+/// The same where the product is symmetric, as reciprocity makes a slab's: half of the work.
+LightOperator symmetric_product(const LightOperator& a, const LightOperator& b);
+
 /// b + a b + a a b + ... = (1 - a)^-1 b: light that goes round between two reflectors.
 LightOperator after_round_trips(const LightOperator& a, const LightOperator& b);
 

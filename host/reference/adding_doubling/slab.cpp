@@ -104,8 +104,8 @@ Slab Doubling::thin(double thickness) const
 Slab Doubling::doubled(const Slab& half, double thickness) const
 {
     const auto& [r, t] = half;
-    const LightOperator between = after_round_trips(r * r, t);
-    Slab whole{r + t * (r * between), t * between};
+    const LightOperator between = after_round_trips(symmetric_product(r, r), t);
+    Slab whole{r + symmetric_product(t, r * between), symmetric_product(t, between)};
     const Slab line = unscattered(thickness);
     whole.reflection.diagonal = line.reflection.diagonal;
     whole.transmission.diagonal = line.transmission.diagonal;
