@@ -14,6 +14,7 @@
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/explain.hpp"
+#include "plan/timed_grid.hpp"
 
 namespace gonio {
 namespace {
@@ -75,9 +76,10 @@ void print(const Job& job, const JobPlan& plan)
         fmt::print("    {} at width {}{}{}\n", plan.kernel, plan.width,
                    plan.definitions.empty() ? "" : " with ", fmt::join(plan.definitions, " "));
     if (job.header.find("interpolation.error") && !job.fit)
-        fmt::print(
-            "    grid: interpolation is off by {:.2g} of the largest value, {:.2g} is asked\n",
-            job.interpolation_error, job.max_error);
+        fmt::print("    grid: interpolation is off by {:.2g} of the largest value, {} asked\n",
+                   job.interpolation_error,
+                   job.max_error > 0 ? fmt::format("{:.2g} is", job.max_error)
+                                     : fmt::format("{} s are", *job.seconds));
     print(plan.left_out);
 }
 
@@ -109,7 +111,8 @@ void print(const PictureRequest& picture, const PicturePlan& plan, unsigned widt
 void plan_scene(const PlanOptions& options)
 {
     const Scene scene = load_scene(options.scene);
-    const std::vector<Job> jobs = plan_jobs(scene, options.output);
+    std::vector<Job> jobs = plan_jobs(scene, options.output);
+    keep_earlier_grids(jobs);
     const Device device = options.device.open();
     const double rate = jobs.empty() ? 0 : 0.5 * stored_values_per_second(device);
     const std::vector<const Job*> twins = equal_jobs(jobs);

@@ -10,6 +10,7 @@
 #include "plan/batch.hpp"
 #include "plan/fitted_grid.hpp"
 #include "plan/header.hpp"
+#include "plan/interrupt.hpp"
 #include "stopwatch.hpp"
 
 namespace gonio {
@@ -23,27 +24,27 @@ constexpr double pilot_part =
     1.0 / 16;  // of it, at most, for tables that are only made to be timed
 
 /// The grid of a table that is there already, if nothing else of it differs.
-bool keeps_its_grid(Job& job)
+void keep_earlier_grid(Job& job)
 {
-    if (!std::filesystem::is_regular_file(job.path)) return false;
+    if (!job.fit || !std::filesystem::is_regular_file(job.path)) return;
     Job earlier = job;
     try {
         const TableHeader header = read_header(job.path);
         const auto* error = header.find("interpolation.error");
-        if (error == nullptr || header.axes.size() != job.header.axes.size()) return false;
+        if (error == nullptr || header.axes.size() != job.header.axes.size()) return;
         Counts counts;
         for (auto axis = header.axes.end() - std::ssize(job.grid.axes); axis != header.axes.end();
              ++axis)
             counts.push_back(axis->values.size());
         set_grid(earlier, grid_of(*job.fit, counts), std::get<double>(*error));
     } catch (const RunError&) {
-        return false;
+        return;
     } catch (const UsageError&) {
-        return false;
+        return;
     }
-    if (!is_finished(earlier)) return false;
+    if (!is_finished(earlier)) return;
     job = earlier;
-    return true;
+    job.fit.reset();
 }
 
 /// A file that is gone at the end.
@@ -68,7 +69,7 @@ public:
         set_grid(job_, grid, 1);
         const Stopwatch since;
         make_table(
-            device, job_, [](std::size_t) {}, options);
+            device, job_, [](std::size_t) { throw_if_interrupted(); }, options);
         return since.seconds();
     }
 
@@ -108,11 +109,17 @@ void fit_to_time(const Device& device, Job& job, const ComputeOptions& options)
 
 }  // namespace
 
+void keep_earlier_grids(std::vector<Job>& jobs)
+{
+    for (Job& job : jobs) keep_earlier_grid(job);
+}
+
 void fit_to_time(const Device& device, std::vector<Job>& jobs, const ComputeOptions& options)
 {
+    catch_interrupts();
+    if (options.leave_out) keep_earlier_grids(jobs);
     for (Job& job : jobs)
-        if (job.fit && !(options.leave_out && keeps_its_grid(job)))
-            fit_to_time(device, job, options);
+        if (job.fit) fit_to_time(device, job, options);
 }
 
 }  // namespace gonio

@@ -60,7 +60,7 @@ BenchPlot bench_generators(const BenchRun& run)
     const double right = reference::solve_layers_once(medium, {.incidence = {0}}, 96)
                              .collimated[0]
                              .budget.diffuse_transmittance;
-    const std::size_t batch = run.quick ? 512 : 32'768, photons = batches * batch;
+    const std::size_t batch = run.quick ? 512 : 16'384, photons = batches * batch;
     run.step("generators");
     std::vector<reference::Estimate> found(generators().size());
     in_parallel(found.size(), [&](std::size_t k) {

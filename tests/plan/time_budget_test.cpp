@@ -120,7 +120,10 @@ TEST_F(TimeBudget, OfGridsIsKeptAndTheirErrorIsRight)
         for (const auto& entry : std::filesystem::directory_iterator(directory))
             EXPECT_EQ(entry.path(), job.path);  // no pilots
         // What an earlier run has chosen stays.
-        EXPECT_TRUE(is_finished(timed(fmt::format("time = {}\n", seconds))));
+        const Job again = timed(fmt::format("time = {}\n", seconds));
+        EXPECT_TRUE(is_finished(again));
+        EXPECT_FALSE(again.fit);
+        EXPECT_EQ(again.header.cells(), before);
     }
     EXPECT_GT(before, 100'000U);
 }
