@@ -25,7 +25,7 @@ constexpr int few_nodes = 16, most_nodes = 512;
 /// linear in s (van de Hulst, Multiple Light Scattering, 1980, chapter 11: similarity).
 class HalfSpace {
 public:
-    HalfSpace(const LightJob& light)
+    explicit HalfSpace(const LightJob& light)
         : light_(light),
           g_(reference::legendre_moments(light.medium.layers.front().phase, 2)(1)),
           surface_(budget_at(0, few_nodes).specular)

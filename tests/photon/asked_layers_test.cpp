@@ -128,8 +128,8 @@ TEST(AskedLayers, ChangeNothingByMoreThanTheError)
 /// The same photons, all but those that come deep.
 TEST(AskedLayers, AreNotMissedByPhotons)
 {
-    const LayeredMedium medium = in_air(
-        {layer(1.4, 30, 50, 0.5, 1), layer(1.4, 0, 100, 0, 0.2), layer(1.5, 1, 9, 0, 1)});
+    const LayeredMedium medium =
+        in_air({layer(1.4, 30, 50, 0.5, 1), layer(1.4, 0, 100, 0, 0.2), layer(1.5, 1, 9, 0, 1)});
     EXPECT_EQ(asked_layers(job_of(medium, "reflectance_t", 1e-2)).unreached, 2U);
     const Job job = job_of(medium, "reflectance_r", 1e-2);
     const AskedLayers asked = asked_layers(job);
