@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "reference/csv.hpp"
+#include "reference/layer_fixtures.hpp"
 #include "reference/layered_media.hpp"
 #include "reference/light_budgets.hpp"
 #include "reference/z_test.hpp"
@@ -188,10 +189,7 @@ TEST(AddingDoublingTest, AgreesWithAnotherProgramOnSlabs)
         error.learn("U" + group(row), row.number("errURU"));
     }
     for (const CsvRow& row : rows) {
-        const double albedo = row.number("a");
-        const LayeredMedium medium =
-            in_air({layer(row.number("n"), 1 - albedo, albedo, row.number("g"), row.number("b"))});
-        const LayeredSolution solution = solve_layers(medium, {.incidence = {0}}, 40);
+        const LayeredSolution solution = solve_layers(slab_of(row), {.incidence = {0}}, 40);
         const LightBudget& normal = solution.collimated[0].budget;
         const LightBudget& diffuse = solution.diffuse.budget;
         SCOPED_TRACE("slab" + group(row) + ", a = " + row.text("a") + ", b = " + row.text("b"));
@@ -202,19 +200,6 @@ TEST(AddingDoublingTest, AgreesWithAnotherProgramOnSlabs)
         EXPECT_NEAR(reflectance(diffuse), row.number("URU"), error_u);
         EXPECT_NEAR(transmittance(diffuse), row.number("UTU"), error_u);
     }
-}
-
-/// The skin models of layers/skin_layers.csv by name and wavelength.
-std::map<std::string, LayeredMedium> skin_models()
-{
-    std::map<std::string, LayeredMedium> models;
-    for (const CsvRow& row : read_csv("layers/skin_layers.csv")) {
-        LayeredMedium& medium = models[row.text("model") + "," + row.text("lambda_nm")];
-        medium.n_below = row.text("model").starts_with("delgado") ? 1.5 : 1.4;
-        medium.layers.push_back(layer(row.number("n"), row.number("mua"), row.number("mus"),
-                                      row.number("g"), row.number("d")));
-    }
-    return models;
 }
 
 TEST(AddingDoublingTest, AgreesWithAnotherProgramOnTwoLayerSkin)
