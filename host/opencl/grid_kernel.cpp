@@ -3,7 +3,8 @@
 #include "opencl/grid_kernel.hpp"
 
 #include <algorithm>
-#include <chrono>
+
+#include "stopwatch.hpp"
 
 namespace gonio {
 
@@ -20,10 +21,9 @@ GridKernel::GridKernel(Device::State& device, const Material& material,
     const std::size_t columns = program_.mirrored ? (length_ + 1) / 2 : length_;
     program_.grid_file = tables.grid_file;
     program_.width = fitting_width(program_.width, columns);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch since;
     kernel_ = table_kernel(device, material, program_);
-    build_seconds_ =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    build_seconds_ = since.seconds();
 
     inputs_.push_back(input_buffer(device, parameter_values(material)));
     kernel_.setArg(1, inputs_.back());

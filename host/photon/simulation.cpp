@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "gonio/errors.hpp"
 #include "photon/bins.hpp"
 #include "photon/checkpoint.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -67,7 +67,7 @@ private:
             done_ = saved.at("done");
             spent_ = saved.at("spent");
         }
-        start_ = std::chrono::steady_clock::now();
+        since_ = {};
         std::vector<Fraction> found;
         double error = INFINITY;
         // The batch at hand, which an earlier run may have begun, or ended.
@@ -144,11 +144,7 @@ private:
         return light_.budget.seconds.value_or(INFINITY) / static_cast<double>(lights_.size());
     }
 
-    double seconds() const
-    {
-        const std::chrono::duration<double> now = std::chrono::steady_clock::now() - start_;
-        return spent_ + now.count();
-    }
+    double seconds() const { return spent_ + since_.seconds(); }
 
     bool is_exact_enough(double error) const
     {
@@ -196,7 +192,7 @@ private:
     std::size_t part_ = 0;
     std::uint64_t done_ = 0;
     double spent_ = 0;  ///< s, by earlier runs
-    std::chrono::steady_clock::time_point start_;
+    Stopwatch since_;
 
     // Of all parts that are finished.
     std::vector<Fraction> values_;

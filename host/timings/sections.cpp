@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include "stopwatch.hpp"
 
 namespace gonio {
 
@@ -36,9 +36,9 @@ void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds
 
 double seconds_on_the_wall(const std::function<void()>& work)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch since;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return since.seconds();
 }
 
 const std::vector<BenchSection>& bench_sections()
