@@ -24,8 +24,9 @@ def row(run):
     name = run["name"].split("/")[1].removesuffix(".mco")
     return (
         f"| {TITLES[name]} | {run['photons_per_core']:.3g} | {run['at_1e_4']:.3g} "
-        f"| {run['vs_scalar']:.1f} | {run['vs_mcml']:.1f} | {run['vs_width_1']:.1f} "
-        f"| {run['cores']:.2f} | {run['with_absorption']:.2f} |\n"
+        f"| {run['vs_scalar']:.1f} | {run['vs_mcml']:.1f} | {run['vs_pyxopto']:.1f} "
+        f"| {run['vs_mcx_cl']:.0f} | {run['vs_width_1']:.1f} | {run['cores']:.2f} "
+        f"| {run['with_absorption']:.2f} |\n"
     )
 
 
@@ -35,8 +36,9 @@ def main():
     table = (
         f"Measured on {runs[0]['label']}.\n\n"
         "| medium | photons a second and core | with MCML's roulette, 1e-4 | times the scalar "
-        "reference | times MCML 2.0 | times width 1 | two cores over one | time with A(r, z) |\n"
-        "|---|---|---|---|---|---|---|---|\n"
+        "reference | times MCML 2.0 | times PyXOpto | times MCX-CL | times width 1 | two cores over "
+        "one | time with A(r, z) |\n"
+        "|---|---|---|---|---|---|---|---|---|---|\n"
         + "".join(map(row, runs))
     )
     replace(readme, "photons", table)

@@ -4,8 +4,8 @@
 //   photons_per_core  photons a second and compute unit, roulette below 2^-7 as by default
 //   at_1e_4           the same with MCML's roulette below 1e-4
 //   vs_scalar         that, times the scalar reference on one core
-//   vs_mcml           that, times the fastest build of MCML 2.0 (gcc -O3 -march=native -ffast-math
-//                     -flto) a core on a Zen 4 server of 2.6 GHz: another machine, AVX2
+//   vs_mcml, vs_pyxopto, vs_mcx_cl
+//                     that, times other programs a core: what they reach of the scalar reference
 //   vs_width_1        times the same kernel at width 1
 //   cores             all compute units, times one of them
 //   with_absorption   time with A(r, z) besides, over time without
@@ -28,10 +28,22 @@ namespace {
 
 constexpr double mcml_roulette = 1e-4;
 
-/// Photons a second and core of MCML 2.0.
-const std::map<std::string, double> mcml = {
-    {"slab.mco", 3.53e6},       {"sample.mco", 2.19e5}, {"skin.mco", 2.16e4},
-    {"giovanelli.mco", 3.07e5}, {"skin5.mco", 8.24e4},
+/// Other programs, photons a second and core, beside each other on a Zen 4 server of 2.6 GHz: MCML
+/// 1.2.2 and 2.0.1 (gcc -O3 -march=native -ffast-math -flto, with A(r, z)), PyXOpto (float, without)
+/// and MCX-CL (voxels), these two on PoCL 3.1.
+struct Others {
+    double mcml_1, mcml_2, pyxopto, mcx_cl;
+    /// MCML 1.2.2, times the scalar reference beside it on a Zen 5 server of 2.6 GHz: carries the
+    /// rates of the others to the machine of this run.
+    double mcml_1_vs_scalar;
+};
+
+const std::map<std::string, Others> others = {
+    {"slab.mco", {3.20e6, 3.53e6, 2.53e6, 3.08e5, 2.15}},
+    {"sample.mco", {2.04e5, 2.19e5, 1.57e5, 3.15e4, 1.46}},
+    {"skin.mco", {2.01e4, 2.16e4, 1.72e4, 1.86e3, 1.43}},
+    {"giovanelli.mco", {3.01e5, 3.07e5, 2.27e5, 5.07e4, 1.69}},
+    {"skin5.mco", {7.95e4, 8.24e4, 6.34e4, 7.37e3, 1.38}},
 };
 
 double median(std::vector<double> values)
@@ -105,8 +117,13 @@ void photons(benchmark::State& state, const MciRun& run)
     state.SetLabel(device.info().name + ", vector width " + std::to_string(device.width()));
     state.counters["photons_per_core"] = usual.rate() / cores;
     state.counters["at_1e_4"] = deep.rate() / cores;
-    state.counters["vs_scalar"] = deep.rate() / cores / median(scalar);
-    state.counters["vs_mcml"] = deep.rate() / cores / mcml.at(run.output);
+    const double vs_scalar = deep.rate() / cores / median(scalar);
+    const Others& other = others.at(run.output);
+    const double vs_mcml_1 = vs_scalar / other.mcml_1_vs_scalar;
+    state.counters["vs_scalar"] = vs_scalar;
+    state.counters["vs_mcml"] = vs_mcml_1 * other.mcml_1 / other.mcml_2;
+    state.counters["vs_pyxopto"] = vs_mcml_1 * other.mcml_1 / other.pyxopto;
+    state.counters["vs_mcx_cl"] = vs_mcml_1 * other.mcml_1 / other.mcx_cl;
     state.counters["vs_width_1"] = usual.rate() / thin.rate();
     state.counters["cores"] = usual.rate() / single.rate();
     state.counters["with_absorption"] = usual.rate() / absorbed.rate();
