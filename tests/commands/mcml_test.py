@@ -74,7 +74,7 @@ class Mcml(unittest.TestCase):
 
     def test_goes_on_after_an_interruption(self):
         # Some seconds of work, in folders of their own.
-        text = SMALL.replace("20000", "3000000")
+        text = SMALL.replace("20000", "12000000")
         self.photon(text, "-o", "whole")
         command = [GONIO, "photon", "in.mci", "-o", "parts"]
         with subprocess.Popen(command, cwd=self.at, stdout=subprocess.PIPE) as running:
