@@ -78,14 +78,15 @@ void simulate(const Device& device, const MciRun& run, std::uint64_t seed,
     Checkpoint checkpoint(path, definition(run, seed).dump());
     std::uint64_t done = 0;
     if (const auto saved = checkpoint.progress(); !saved.is_null()) {
-        checkpoint.restore(tracer);
-        done = saved;
+        restore(tracer, saved.at("tracer"));
+        done = saved.at("done");
         progress.advance(static_cast<double>(done));
     }
     tracer.trace(run.photons - done, [&](std::uint64_t photons) {
         done += photons;
         progress.advance(static_cast<double>(photons));
-        if (interrupted() || checkpoint.is_due()) checkpoint.save(done, tracer);
+        if (interrupted() || checkpoint.is_due())
+            checkpoint.save({{"done", done}, {"tracer", state_of(tracer)}});
         throw_if_interrupted();
     });
     const PhotonResult result = tracer.result();

@@ -9,39 +9,25 @@
 
 namespace gonio {
 
+using nlohmann::ordered_json;
+
 Checkpoint::Checkpoint(const std::filesystem::path& table, std::string definition)
     : path_(table.string() + ".checkpoint"), definition_(std::move(definition))
 {
 }
 
-nlohmann::json Checkpoint::load() const
+ordered_json Checkpoint::progress() const
 {
     std::ifstream file(path_, std::ios::binary);
-    const auto saved = nlohmann::json::from_cbor(file, true, false);
+    const auto saved = ordered_json::from_cbor(file, true, false);
     const bool fits = saved.is_object() && saved.value("definition", "") == definition_;
-    return fits ? saved : nlohmann::json::object();
+    return fits ? saved.value("progress", ordered_json()) : ordered_json();
 }
 
-nlohmann::json Checkpoint::progress() const
+void Checkpoint::save(const ordered_json& progress)
 {
-    return load().value("progress", nlohmann::json());
-}
-
-void Checkpoint::restore(PhotonTracer& tracer) const
-{
-    const auto bytes = load().at("tracer").get_binary();
-    tracer.restore({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
-void Checkpoint::save(const nlohmann::json& progress, const PhotonTracer& tracer)
-{
-    const std::string state = tracer.state();
     std::string bytes;
-    nlohmann::json::to_cbor(
-        nlohmann::json{{"definition", definition_},
-                       {"progress", progress},
-                       {"tracer", nlohmann::json::binary({state.begin(), state.end()})}},
-        bytes);
+    ordered_json::to_cbor(ordered_json{{"definition", definition_}, {"progress", progress}}, bytes);
     write_file(path_, bytes);
     last_ = std::chrono::steady_clock::now();
 }
@@ -54,6 +40,18 @@ bool Checkpoint::is_due() const
 void Checkpoint::remove() const
 {
     std::filesystem::remove(path_);
+}
+
+ordered_json state_of(const PhotonTracer& tracer)
+{
+    const std::string state = tracer.state();
+    return ordered_json::binary({state.begin(), state.end()});
+}
+
+void restore(PhotonTracer& tracer, const ordered_json& state)
+{
+    const auto& bytes = state.get_binary();
+    tracer.restore({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 }  // namespace gonio

@@ -17,20 +17,21 @@ public:
     Checkpoint(const std::filesystem::path& table, std::string definition);
 
     /// What was saved with the same definition; null if nothing was.
-    nlohmann::json progress() const;
-    /// Puts a tracer into the state of then. Only where there is progress.
-    void restore(PhotonTracer& tracer) const;
+    nlohmann::ordered_json progress() const;
 
-    void save(const nlohmann::json& progress, const PhotonTracer& tracer);
+    void save(const nlohmann::ordered_json& progress);
     bool is_due() const;  ///< the last one is some time ago
     void remove() const;
 
 private:
-    nlohmann::json load() const;
-
     std::filesystem::path path_;
     std::string definition_;
     std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
+
+/// A tracer as a part of what is saved.
+nlohmann::ordered_json state_of(const PhotonTracer& tracer);
+/// Puts a tracer into the state of then.
+void restore(PhotonTracer& tracer, const nlohmann::ordered_json& state);
 
 }  // namespace gonio

@@ -46,7 +46,7 @@ public:
 
     SimulatedValues run()
     {
-        const nlohmann::json saved = checkpoint_.progress();
+        const nlohmann::ordered_json saved = checkpoint_.progress();
         if (!saved.is_null()) load(saved);
         for (; part_ < lights_.size(); ++part_) trace_part(saved);
         const double error = largest_error(values_);
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    void trace_part(const nlohmann::json& saved)
+    void trace_part(const nlohmann::ordered_json& saved)
     {
         // Photons of other parts have other numbers, so that their noise is independent.
         PhotonTracer tracer(
@@ -63,7 +63,7 @@ private:
         done_ = 0;
         spent_ = 0;
         if (!saved.is_null() && saved.at("part") == part_) {
-            checkpoint_.restore(tracer);
+            restore(tracer, saved.at("tracer"));
             done_ = saved.at("done");
             spent_ = saved.at("spent");
         }
@@ -107,7 +107,7 @@ private:
 
     void save(const PhotonTracer& tracer)
     {
-        nlohmann::json finished = nlohmann::json::array();
+        nlohmann::ordered_json finished = nlohmann::ordered_json::array();
         for (const Fraction& value : values_) finished.push_back({value.mean, value.error});
         checkpoint_.save({{"part", part_},
                           {"done", done_},
@@ -116,11 +116,11 @@ private:
                           {"photons", photons_},
                           {"kernel_seconds", kernel_seconds_},
                           {"unfinished", unfinished_},
-                          {"beyond", beyond_}},
-                         tracer);
+                          {"beyond", beyond_},
+                          {"tracer", state_of(tracer)}});
     }
 
-    void load(const nlohmann::json& saved)
+    void load(const nlohmann::ordered_json& saved)
     {
         part_ = saved.at("part");
         for (const auto& value : saved.at("values")) values_.push_back({value[0], value[1]});

@@ -7,6 +7,7 @@
 
 #include "gonio/colour.hpp"
 #include "skin/base_tracer.hpp"
+#include "skin/resumable.hpp"
 
 namespace gonio {
 namespace {
@@ -19,76 +20,76 @@ std::vector<double> sampled_wavelengths()
     return all;
 }
 
-/// A number in R, G and B of which all photons so far are known: sums over batches, whose spread is
-/// that of the colour, since bands share their noise.
-class Colour {
-public:
-    /// so_far: per photon; `photons` of all, `more` in the last batch.
-    void update(const glm::dvec3& so_far, double photons, double more)
-    {
-        const glm::dvec3 sum = so_far * photons, batch = sum - sum_;
-        sum_ = sum;
-        squares_ += batch * batch / more;
-    }
-
-    /// Adds mean and, as their error, variance to those of other photons.
-    void add_to(std::array<Fraction*, 3> to, double photons, double batches) const
-    {
-        for (int c = 0; c < 3; ++c) {
-            const double spread = std::max(squares_[c] - sum_[c] * sum_[c] / photons, 0.0);
-            Fraction& one = *to[static_cast<std::size_t>(c)];
-            one.mean += sum_[c] / photons;
-            one.error += batches > 1 ? spread / (batches - 1) / photons : INFINITY;
-        }
-    }
-
-private:
-    glm::dvec3 sum_{0}, squares_{0};
-};
-
-/// The rings and the total of one base.
+/// The rings of one base in R, G and B, and behind them the total: sums over batches, whose spread
+/// is that of the colour, since bands share their noise.
 class ColouredRings {
 public:
-    /// part_of: what a share counts, of its band.
+    /// part_of: what a share counts, of its band. from: an earlier state(), or null.
     ColouredRings(const SpectralBase& base, const std::vector<ColourBand>& bands, std::size_t rings,
-                  double (*part_of)(const BaseShare&))
-        : rings_(rings)
+                  double (*part_of)(const BaseShare&), const nlohmann::ordered_json& from)
+        : sums_(rings + 1), squares_(rings + 1)
     {
         for (const BaseShare& share : base.shares)
             weights_.push_back(part_of(share) * bands[share.medium].colour);
+        if (from.is_null()) return;
+        sums_ = from.at("sums");
+        squares_ = from.at("squares");
+        photons_ = from.at("photons");
+        batches_ = from.at("batches");
     }
 
+    nlohmann::ordered_json state() const
+    {
+        return {
+            {"sums", sums_}, {"squares", squares_}, {"photons", photons_}, {"batches", batches_}};
+    }
+
+    /// Of all photons so far, a batch more than before.
     void update(const PhotonResult& found)
     {
-        const auto photons = static_cast<double>(found.photons), more = photons - photons_;
-        const std::size_t stride = weights_.size();
-        for (std::size_t ring = 0; ring < rings_.size(); ++ring)
-            rings_[ring].update(sum(&found.spectrum[ring * stride]), photons, more);
-        total_.update(sum(found.spectrum_total.data()), photons, more);
+        const auto photons = static_cast<double>(found.photons);
+        const std::size_t rings = sums_.size() - 1, stride = weights_.size();
+        for (std::size_t ring = 0; ring < rings; ++ring)
+            update(ring, &found.spectrum[ring * stride], photons);
+        update(rings, found.spectrum_total.data(), photons);
         photons_ = photons;
         ++batches_;
     }
 
+    /// Adds means and, as their errors, variances to those of other photons.
     void add_to(RadialProfile& profile) const
     {
-        auto& [red, green, blue] = profile.rings;
-        for (std::size_t ring = 0; ring < rings_.size(); ++ring)
-            rings_[ring].add_to({&red[ring], &green[ring], &blue[ring]}, photons_, batches_);
-        auto& total = profile.total;
-        total_.add_to({&total[0], &total[1], &total[2]}, photons_, batches_);
+        for (std::size_t c = 0; c < 3; ++c) {
+            for (std::size_t ring = 0; ring < profile.rings[c].size(); ++ring)
+                add_to(profile.rings[c][ring], ring, c);
+            add_to(profile.total[c], sums_.size() - 1, c);
+        }
     }
 
 private:
-    glm::dvec3 sum(const Fraction* light) const
+    using Colour = std::array<double, 3>;
+
+    void update(std::size_t place, const Fraction* light, double photons)
     {
-        glm::dvec3 all(0);
-        for (std::size_t k = 0; k < weights_.size(); ++k) all += weights_[k] * light[k].mean;
-        return all;
+        glm::dvec3 colour(0);
+        for (std::size_t k = 0; k < weights_.size(); ++k) colour += weights_[k] * light[k].mean;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double sum = colour[static_cast<int>(c)] * photons;
+            squares_[place][c] += std::pow(sum - sums_[place][c], 2) / (photons - photons_);
+            sums_[place][c] = sum;
+        }
+    }
+
+    void add_to(Fraction& one, std::size_t place, std::size_t c) const
+    {
+        const double sum = sums_[place][c];
+        const double spread = std::max(squares_[place][c] - sum * sum / photons_, 0.0);
+        one.mean += sum / photons_;
+        one.error += batches_ > 1 ? spread / (batches_ - 1) / photons_ : INFINITY;
     }
 
     std::vector<glm::dvec3> weights_;  ///< of the base's bands
-    std::vector<Colour> rings_;
-    Colour total_;
+    std::vector<Colour> sums_, squares_;
     double photons_ = 0, batches_ = 0;
 };
 
@@ -121,29 +122,38 @@ std::vector<ColourBand> bands_of(const Skin& skin)
 }
 
 RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>& bands,
-                            const ProfileRequest& request,
-                            const std::function<void(double part_done)>& after_each)
+                            const ProfileRequest& request, const nlohmann::ordered_json& from,
+                            const AfterLaunch& after_launch)
 {
     std::vector<LayeredMedium> media;
     for (const ColourBand& band : bands) media.push_back(band.layers);
     const auto bases = spectral_bases(media);
     RadialProfile profile = empty_profile(request), off = profile;
-    const double all = static_cast<double>(request.photons) * static_cast<double>(bases.size());
-    double done = 0;
+    const auto part = [&](std::size_t base, std::uint64_t photons) {
+        const double of_base = static_cast<double>(photons) / static_cast<double>(request.photons);
+        return (static_cast<double>(base) + of_base) / static_cast<double>(bases.size());
+    };
+    nlohmann::ordered_json states = from;
     for (std::size_t k = 0; k < bases.size(); ++k) {
-        BaseTracer tracer(device, bases[k], k, request);
-        ColouredRings rings(bases[k], bands, request.rings,
-                            [](const BaseShare& share) { return share.weight; });
-        ColouredRings offs(bases[k], bands, request.rings,
-                           [](const BaseShare& share) { return share.weight - share.coarser; });
-        while (tracer.photons() < request.photons) {
-            tracer.trace_batch(
-                [&] { after_each((done + static_cast<double>(tracer.photons())) / all); });
+        nlohmann::ordered_json& state = states[k];
+        BaseTracer tracer(device, bases[k], k, request, state["tracer"]);
+        ColouredRings rings(
+            bases[k], bands, request.rings, [](const BaseShare& share) { return share.weight; },
+            state["rings"]);
+        ColouredRings offs(
+            bases[k], bands, request.rings,
+            [](const BaseShare& share) { return share.weight - share.coarser; }, state["offs"]);
+        const auto updated = [&] {
+            state = {{"tracer", tracer.state()}, {"rings", rings.state()}, {"offs", offs.state()}};
+            return states;
+        };
+        while (!tracer.has_ended()) {
+            tracer.trace_batch([&] { after_launch(part(k, tracer.photons()), updated); });
             const PhotonResult found = tracer.result();
             rings.update(found);
             offs.update(found);
         }
-        done += static_cast<double>(tracer.photons());
+        updated();
         rings.add_to(profile);
         offs.add_to(off);
     }
@@ -153,6 +163,14 @@ RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>&
             finish(profile.rings[c][ring], off.rings[c][ring]);
     }
     return profile;
+}
+
+RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>& bands,
+                            const ProfileRequest& request,
+                            const std::function<void(double part_done)>& after_each)
+{
+    return trace_profile(device, bands, request, nullptr,
+                         [&](double part, const auto&) { after_each(part); });
 }
 
 }  // namespace gonio

@@ -3,9 +3,11 @@
 #include "skin/profile_table.hpp"
 
 #include "photon/bins.hpp"
+#include "photon/simulation.hpp"
 #include "scene/located.hpp"
 #include "skin/radial_table.hpp"
 #include "skin/skin_sets.hpp"
+#include "skin/traced_sets.hpp"
 
 namespace gonio {
 namespace {
@@ -45,6 +47,25 @@ void append_sphere(Table& table, const SumOfGaussians& profile, const Axis& cosi
             const auto light = around_a_sphere(profile, cosine, curvature);
             for (std::size_t c = 0; c < 3; ++c) table.values[c].push_back(light[c]);
         }
+}
+
+nlohmann::ordered_json make_colour_table(const Device& device, const Job& job,
+                                         const std::function<void(double)>& after_each)
+{
+    const auto trace = [&](const Skin& set, Table& table, const nlohmann::ordered_json& from,
+                           const AfterLaunch& after_launch) {
+        const auto profile = trace_profile(device, bands_of(set), *job.profile, from, after_launch);
+        const auto gaussians = fit_gaussians(profile);
+        if (job.header.quantity == "profile_rgb")
+            append_rings(table, profile);
+        else
+            append_sphere(table, gaussians.function, *(job.header.axes.end() - 2),
+                          job.header.axes.back());
+        return fits_of(gaussians, profile);
+    };
+    const TracedSets traced = trace_sets(job, after_each, trace);
+    write_table(job.path, job.format, traced.table, job.write);
+    return {{"photons", job.profile->photons}, {"fits", traced.beside}};
 }
 
 }  // namespace
@@ -88,27 +109,12 @@ TableHeader profile_header(const SkinTask& task, const TableRequest& request)
 nlohmann::ordered_json make_profile_table(const Device& device, const Job& job,
                                           const std::function<void(double)>& after_each)
 {
-    return located(job.where, [&]() -> nlohmann::ordered_json {
-        if (job.header.quantity == "reflectance_r")
-            return make_radial_table(device, job, after_each);
-        const auto sets = sets_of(*job.skin);
-        Table table{job.header, std::vector<std::vector<double>>(job.header.channels.size())};
-        nlohmann::ordered_json fits = nlohmann::ordered_json::array();
-        for (std::size_t k = 0; k < sets.size(); ++k) {
-            const auto profile =
-                trace_profile(device, bands_of(sets[k]), *job.profile, [&](double part) {
-                    after_each((static_cast<double>(k) + part) / static_cast<double>(sets.size()));
-                });
-            const auto gaussians = fit_gaussians(profile);
-            fits.push_back(fits_of(gaussians, profile));
-            if (job.header.quantity == "profile_rgb")
-                append_rings(table, profile);
-            else
-                append_sphere(table, gaussians.function, *(job.header.axes.end() - 2),
-                              job.header.axes.back());
-        }
-        write_table(job.path, job.format, table, job.write);
-        return {{"photons", job.profile->photons}, {"fits", fits}};
+    return located(job.where, [&] {
+        auto run = job.header.quantity == "reflectance_r"
+                       ? make_radial_table(device, job, after_each)
+                       : make_colour_table(device, job, after_each);
+        forget_simulation(job);
+        return run;
     });
 }
 

@@ -9,6 +9,7 @@
 #include "gonio/profile.hpp"
 #include "photon/bins.hpp"
 #include "skin/base_tracer.hpp"
+#include "skin/resumable.hpp"
 
 namespace gonio {
 namespace {
@@ -99,15 +100,21 @@ double largest_error(const PhotonResult& found, std::size_t wavelengths,
 
 RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
                               const std::vector<double>& wavelengths, const ProfileRequest& request,
-                              const std::function<void(double part_done)>& after_each)
+                              const nlohmann::ordered_json& from, const AfterLaunch& after_launch)
 {
     const auto bases = spectral_bases(media_of(skin, wavelengths));
     Collected all(wavelengths.size(), request.rings);
     RadialSpectrum spectrum{.width = request.width};
     const auto each = static_cast<double>(bases.size());
+    nlohmann::ordered_json states = from;
     for (std::size_t k = 0; k < bases.size(); ++k) {
-        BaseTracer tracer(device, bases[k], k, request);
-        double error = std::numeric_limits<double>::infinity();
+        BaseTracer tracer(device, bases[k], k, request, states[k]);
+        const auto measured = [&] {
+            return request.max_error && tracer.batches() >= least_batches
+                       ? largest_error(tracer.result(), bases[k].shares.size(), request)
+                       : std::numeric_limits<double>::infinity();
+        };
+        double error = measured();
         const auto enough = [&] { return request.max_error && error <= *request.max_error; };
         const auto part = [&] {
             const double of_photons =
@@ -115,18 +122,31 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
             return std::max(of_photons,
                             request.max_error ? std::pow(*request.max_error / error, 2) : 0.0);
         };
-        while (tracer.photons() < request.photons && !enough()) {
-            tracer.trace_batch(
-                [&] { after_each((static_cast<double>(k) + std::min(part(), 1.0)) / each); });
-            if (request.max_error && tracer.batches() >= least_batches)
-                error = largest_error(tracer.result(), bases[k].shares.size(), request);
+        const auto state = [&] {
+            states[k] = tracer.state();
+            return states;
+        };
+        while (!tracer.has_ended() && !enough()) {
+            tracer.trace_batch([&] {
+                after_launch((static_cast<double>(k) + std::min(part(), 1.0)) / each, state);
+            });
+            error = measured();
         }
+        state();
         all.add(bases[k], tracer.result());
         spectrum.photons.push_back(tracer.photons());
         spectrum.kernel_seconds += tracer.kernel_seconds();
     }
     all.write(spectrum);
     return spectrum;
+}
+
+RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
+                              const std::vector<double>& wavelengths, const ProfileRequest& request,
+                              const std::function<void(double part_done)>& after_each)
+{
+    return trace_spectrum(device, skin, wavelengths, request, nullptr,
+                          [&](double part, const auto&) { after_each(part); });
 }
 
 }  // namespace gonio

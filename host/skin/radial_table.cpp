@@ -9,9 +9,12 @@
 
 #include "gonio/errors.hpp"
 #include "photon/bins.hpp"
-#include "skin/skin_sets.hpp"
+#include "skin/traced_sets.hpp"
 
 namespace gonio {
+
+using nlohmann::ordered_json;
+
 namespace {
 
 /// Per area of the rings, and the errors behind.
@@ -31,36 +34,43 @@ const std::vector<double>& wavelengths_of(const Job& job)
     return (job.header.axes.end() - 2)->values;
 }
 
+/// A set's values, and what belongs beside them.
+ordered_json append(Table& table, const RadialSpectrum& spectrum)
+{
+    std::vector<double> errors;
+    for (const auto& rings : spectrum.rings) {
+        const auto values = densities(rings, spectrum.width);
+        errors.push_back(largest_error(values));
+        for (const Fraction& value : values) {
+            table.values[0].push_back(value.mean);
+            table.values[1].push_back(value.error);
+        }
+    }
+    return {{"photons_of_bases", spectrum.photons},
+            {"kernel_seconds", spectrum.kernel_seconds},
+            {"effective_photons", spectrum.effective_photons},
+            {"error_of_largest_value", errors}};
+}
+
 }  // namespace
 
-nlohmann::ordered_json make_radial_table(const Device& device, const Job& job,
-                                         const std::function<void(double)>& after_each)
+ordered_json make_radial_table(const Device& device, const Job& job,
+                               const std::function<void(double)>& after_each)
 {
-    const auto sets = sets_of(*job.skin);
-    Table table{job.header, std::vector<std::vector<double>>(2)};
-    nlohmann::ordered_json found = nlohmann::ordered_json::array();
+    const auto trace = [&](const Skin& set, Table& table, const ordered_json& from,
+                           const AfterLaunch& after_launch) {
+        return append(table, trace_spectrum(device, set, wavelengths_of(job), *job.profile, from,
+                                            after_launch));
+    };
+    const TracedSets traced = trace_sets(job, after_each, trace);
     std::uint64_t photons = UINT64_MAX;  // that each wavelength sees, at least
     double seconds = 0, largest = 0;
-    for (std::size_t set = 0; set < sets.size(); ++set) {
-        const auto spectrum =
-            trace_spectrum(device, sets[set], wavelengths_of(job), *job.profile, [&](double part) {
-                after_each((static_cast<double>(set) + part) / static_cast<double>(sets.size()));
-            });
-        std::vector<double> errors;
-        for (const auto& rings : spectrum.rings) {
-            const auto values = densities(rings, spectrum.width);
-            errors.push_back(largest_error(values));
-            for (const Fraction& value : values) {
-                table.values[0].push_back(value.mean);
-                table.values[1].push_back(value.error);
-            }
-        }
-        largest = std::max(largest, *std::ranges::max_element(errors));
-        found.push_back({{"photons_of_bases", spectrum.photons},
-                         {"effective_photons", spectrum.effective_photons},
-                         {"error_of_largest_value", errors}});
-        photons = std::min(photons, *std::ranges::min_element(spectrum.photons));
-        seconds += spectrum.kernel_seconds;
+    for (const auto& spectrum : traced.beside) {
+        for (const double error : spectrum.at("error_of_largest_value"))
+            largest = std::max(largest, error);
+        for (const std::uint64_t each : spectrum.at("photons_of_bases"))
+            photons = std::min(photons, each);
+        seconds += spectrum.at("kernel_seconds").get<double>();
     }
     if (job.must_reach && largest > *job.profile->max_error)
         throw RunError(
@@ -68,8 +78,8 @@ nlohmann::ordered_json make_radial_table(const Device& device, const Job& job,
                         "of a wavelength's largest "
                         "value, and not {:.2g}; give it more, or --best-effort",
                         photons, job.name, largest, *job.profile->max_error));
-    write_table(job.path, job.format, table, job.write);
-    return {{"photons", photons}, {"kernel_seconds", seconds}, {"spectra", found}};
+    write_table(job.path, job.format, traced.table, job.write);
+    return {{"photons", photons}, {"kernel_seconds", seconds}, {"spectra", traced.beside}};
 }
 
 }  // namespace gonio
