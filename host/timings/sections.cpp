@@ -52,6 +52,7 @@ const std::vector<BenchSection>& bench_sections()
         {"photons", "photons and adding-doubling: error against time", bench_photons},
         {"time-to-error", "seconds to an asked error", bench_time_to_error},
         {"generators", "random numbers: speed and bias", bench_generators},
+        {"device-generators", "the same on the device", bench_device_generators},
         {"choices", "vector width, roulette, absorption: what they gain", bench_photon_choices},
         {"scaling", "over compute units", bench_scaling},
         {"tiles", "over sizes of tiles", bench_tiles},

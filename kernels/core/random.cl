@@ -1,59 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random numbers of a photon or of a sample. They depend on nothing but the seed and its number.
+// Random numbers of a photon or of a sample, of the engine's stream or of one that a program
+// includes before it.
 #ifndef GONIO_CORE_RANDOM
 #define GONIO_CORE_RANDOM
-#include "core/word.cl"
+#include "core/streams/xoshiro.cl"
 
-/// The state of xoshiro128++ 1.0: Blackman and Vigna, Scrambled Linear Pseudorandom Number
-/// Generators, ACM TOMS 47(4), 2021.
-typedef struct {
-    word a, b, c, d;
-} stream;
-
-static inline word high_word(word a, uint b)
+#ifndef NEXT_THREE
+/// What a step of a photon takes. Streams that make several words at once have their own.
+static inline void next_three(stream* s, word* first, word* second, word* third)
 {
-    // Not mul_hi(), which PoCL compiles badly.
-    return word_of((long_of(a) * (ulong)b) >> 32);
+    *first = next_word(s);
+    *second = next_word(s);
+    *third = next_word(s);
 }
-
-/// Philox4x32-10 of the counter (low, high, 0, 0) and the key `seed`: Salmon et al., Parallel
-/// Random Numbers: As Easy as 1, 2, 3, SC 2011. Only one state in 2^128 is one that xoshiro cannot
-/// have.
-static inline stream seeded_stream(word low, word high, ulong seed)
-{
-    stream s = {low, high, (word)(0), (word)(0)};
-    uint key_0 = (uint)seed, key_1 = (uint)(seed >> 32);
-    for (int round = 0; round < 10; ++round) {
-        const word high_0 = high_word(s.a, 0xD2511F53u), low_0 = s.a * 0xD2511F53u;
-        const word high_1 = high_word(s.c, 0xCD9E8D57u), low_1 = s.c * 0xCD9E8D57u;
-        const stream next = {high_1 ^ s.b ^ key_0, low_1, high_0 ^ s.d ^ key_1, low_0};
-        s = next;
-        key_0 += 0x9E3779B9u;
-        key_1 += 0xBB67AE85u;
-    }
-    return s;
-}
-
-/// The stream of photon or sample first + offset.
-static inline stream numbered_stream(ulong first, word offset, ulong seed)
-{
-    const word low = (uint)first + offset;
-    const word carry = choose_word(smaller(low, offset), (word)(1), (word)(0));
-    return seeded_stream(low, (uint)(first >> 32) + carry, seed);
-}
-
-static inline word next_word(stream* s)
-{
-    const word result = rotate(s->a + s->d, (word)(7)) + s->a;
-    const word shifted = s->b << 9;
-    s->c ^= s->a;
-    s->d ^= s->b;
-    s->b ^= s->c;
-    s->a ^= s->d;
-    s->c ^= shifted;
-    s->d = rotate(s->d, (word)(11));
-    return result;
-}
+#endif
 
 /// In (0, 1), from the upper 24 bits: an odd multiple of 2^-24, exact, and so is 1 minus it.
 static inline real uniform_of(word bits)

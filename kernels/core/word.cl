@@ -6,6 +6,7 @@
 
 #if WIDTH == 1
 typedef uint word;
+typedef ulong long_word;
 #define EQUAL(a, b) (-(int)((a) == (b)))
 #define SMALLER(a, b) (-(int)((a) < (b)))
 #define as_words as_uint
@@ -30,6 +31,7 @@ static inline ulong sum_of(word value)
 }
 #else
 typedef JOIN(uint, WIDTH) word;
+typedef JOIN(ulong, WIDTH) long_word;
 #define EQUAL(a, b) ((a) == (b))
 #define SMALLER(a, b) ((a) < (b))
 #define as_words JOIN(as_uint, WIDTH)

@@ -100,10 +100,7 @@ static inline void launch(packet* p, supply* from, const source* light, const sc
     p->u.y = choose(starts, u.y, p->u.y);
     p->u.z = choose(starts, u.z, p->u.z);
     p->weight = choose_word(starts, weight, p->weight);
-    p->random.a = choose_word(starts, random.a, p->random.a);
-    p->random.b = choose_word(starts, random.b, p->random.b);
-    p->random.c = choose_word(starts, random.c, p->random.c);
-    p->random.d = choose_word(starts, random.d, p->random.d);
+    p->random = choose_stream(starts, random, p->random);
     p->steps = choose_count(starts, (mask_t)(0), p->steps);
     p->layer = choose_count(starts, (mask_t)(0), p->layer);
     p->scattered &= not_(starts);

@@ -47,8 +47,8 @@ static inline void play_roulette(packet* p, mask_t lanes, word bits, const scene
 /// One path of every photon, to where it is scattered or to the end of its layer.
 static inline void make_step(packet* p, float bottom_albedo, const scene* s)
 {
-    const word bits_path = next_word(&p->random), bits_cosine = next_word(&p->random);
-    const word bits_azimuth = next_word(&p->random);
+    word bits_path, bits_cosine, bits_azimuth;
+    next_three(&p->random, &bits_path, &bits_cosine, &bits_azimuth);
     const mask_t alive = is_alive(p);
     const real free_path = -log_of_positive(uniform_of(bits_path)) * p->mean_free_path;
     const real gap = choose(less(p->u.z, (real)(R(0.0))), p->z, p->thickness - p->z);
@@ -132,7 +132,7 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
 #if CLEAR_TOP
     p.met_matter = (mask_t)(0);
 #endif
-    p.random.a = p.random.b = p.random.c = p.random.d = none;
+    p.random = numbered_stream(first, none, seed);
     look_up_layer(&p, equal(p.layer, p.layer), &s);
     while (from.has_more || any_of(is_alive(&p))) {
         if (from.has_more && any_of(not_(is_alive(&p)))) launch(&p, &from, &light, &s);

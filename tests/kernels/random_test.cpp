@@ -2,67 +2,27 @@
 // Random numbers of photons and samples: published answers, 64-bit numbers, every uniform.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdint>
-#include <vector>
-
-#include "opencl/program.hpp"
+#include "stream_fixtures.hpp"
 
 namespace gonio::test {
 namespace {
 
-/// One word of each photon's stream behind its seed: words[0] is a, as the seed left it; words[4]
-/// the first that xoshiro128++ gives.
-std::vector<std::array<std::uint32_t, 6>> streams(std::uint64_t first, std::uint32_t count,
-                                                  std::uint64_t seed, unsigned width)
+/// Of the engine's stream: [0] is a, as the seed left it; [4] the first word of xoshiro128++.
+std::vector<SixWords> streams(std::uint64_t first, std::uint32_t count, std::uint64_t seed,
+                              unsigned width)
 {
-    const Device device;
-    Device::State& state = device.state();
-    const std::string text = R"(#include "core/random.cl"
-kernel void draw(global uint *out, const ulong first, const ulong seed)
-{
-    uint lanes[6][WIDTH], offsets[WIDTH];
-    const uint at = (uint)get_global_id(0) * WIDTH;
-    for (uint i = 0; i < WIDTH; ++i) offsets[i] = at + i;
-    stream s = numbered_stream(first, load_words(offsets), seed);
+    return drawn("", R"(
     store_words(s.a, lanes[0]);
     store_words(s.b, lanes[1]);
     store_words(s.c, lanes[2]);
     store_words(s.d, lanes[3]);
     store_words(next_word(&s), lanes[4]);
     store_words(next_word(&s), lanes[5]);
-    for (uint i = 0; i < WIDTH; ++i)
-        for (uint k = 0; k < 6; ++k) out[(at + i) * 6 + k] = lanes[k][i];
-}
-)";
-    cl::Kernel kernel(build_program(state, text, "core/random.cl", {}, width), "draw");
-    std::vector<std::array<std::uint32_t, 6>> result(count);
-    const cl::Buffer out(state.context, CL_MEM_WRITE_ONLY, count * sizeof result[0]);
-    kernel.setArg(0, out);
-    kernel.setArg(1, static_cast<cl_ulong>(first));
-    kernel.setArg(2, static_cast<cl_ulong>(seed));
-    state.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(count / width));
-    state.queue.enqueueReadBuffer(out, CL_TRUE, 0, count * sizeof result[0], result.data());
-    return result;
+)",
+                 first, count, seed, width);
 }
 
-/// Salmon et al., SC 2011, in 64-bit arithmetic.
-std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
-                                    std::array<std::uint32_t, 2> key)
-{
-    for (int round = 0; round < 10; ++round) {
-        const std::uint64_t left = 0xD2511F53ULL * counter[0], right = 0xCD9E8D57ULL * counter[2];
-        counter = {static_cast<std::uint32_t>(right >> 32) ^ counter[1] ^ key[0],
-                   static_cast<std::uint32_t>(right),
-                   static_cast<std::uint32_t>(left >> 32) ^ counter[3] ^ key[1],
-                   static_cast<std::uint32_t>(left)};
-        key[0] += 0x9E3779B9U;
-        key[1] += 0xBB67AE85U;
-    }
-    return counter;
-}
-
-/// The known answers of Random123's kat_vectors for philox4x32 with 10 rounds.
+/// The known answers of Random123's kat_vectors for philox4x32 with 10 rounds and with 7.
 TEST(RandomNumbers, ReferenceGivesThePublishedAnswers)
 {
     using Block = std::array<std::uint32_t, 4>;
@@ -72,6 +32,8 @@ TEST(RandomNumbers, ReferenceGivesThePublishedAnswers)
               (Block{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd}));
     EXPECT_EQ(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}),
               (Block{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1}));
+    EXPECT_EQ(philox({0, 0, 0, 0}, {0, 0}, 7),
+              (Block{0x5f6fb709, 0x0d893f64, 0x4f121f81, 0x4f730a48}));
 }
 
 TEST(RandomNumbers, SeedsEveryPhotonByItsNumber)
