@@ -2,61 +2,38 @@
 // gonio table MODEL: the short form of a scene with one table.
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "commands/batch_summary.hpp"
 #include "commands/commands.hpp"
+#include "commands/grid_options.hpp"
 #include "commands/parameters.hpp"
 #include "gonio/errors.hpp"
 #include "gonio/scene.hpp"
+#include "plan/timed_grid.hpp"
 #include "scene/table.hpp"
 
 namespace gonio {
 namespace {
 
-constexpr auto default_grid = "90x90x360";
-
 struct TableOptions {
     DeviceOptions device;
-    std::string model, grid, kind, samples = "centre", spacing = "linear", quantity = "brdf",
-                                   output;
+    GridOptions grid;
+    std::string model, quantity = "brdf", output;
     std::vector<std::string> axes;
-    bool half = false, dry_run = false;
+    std::optional<double> max_error;
+    std::string time;
+    bool half = false, dry_run = false, best_effort = false;
     std::string compression = "zip";
 };
 
-/// "90x90x360" -> 90, 90, 360
-std::vector<std::size_t> counts_of(const std::string& text)
+Budget budget_of(const TableOptions& options)
 {
-    std::vector<std::size_t> counts;
-    for (const std::string& part : CLI::detail::split(text, 'x')) {
-        std::size_t count = 0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), count);
-        if (error != std::errc() || end != part.data() + part.size())
-            throw UsageError(fmt::format(
-                "--grid is \"{}\"; allowed are whole numbers with x between, e.g. 90x90x360",
-                text));
-        counts.push_back(count);
-    }
-    return counts;
-}
-
-Grid grid_of(const TableOptions& options)
-{
-    const std::vector<std::size_t> n =
-        counts_of(options.grid.empty() ? default_grid : options.grid);
-    const std::string kind =
-        options.kind.empty() ? (n.size() == 4 ? "anisotropic" : "isotropic") : options.kind;
-    if (n.size() != (kind == "anisotropic" ? 4U : 3U))
-        throw UsageError(
-            fmt::format("--grid {} has {} axes; {} grids have {}", options.grid, n.size(), kind,
-                        kind == "anisotropic" ? "4: theta_i, phi_i, theta_o, phi_o" : "3"));
-    const Samples samples = options.samples == "node" ? Samples::node : Samples::centre;
-    if (kind == "anisotropic") return anisotropic_grid(n[0], n[1], n[2], n[3], samples);
-    if (kind == "rusinkiewicz")
-        return rusinkiewicz_grid(n[0], n[1], n[2], samples,
-                                 options.spacing == "merl" ? Spacing::merl : Spacing::linear);
-    return isotropic_grid(n[0], n[1], n[2], samples);
+    const auto& most = options.max_error;
+    if (most && !(*most >= 0 && *most <= 1))
+        throw UsageError(fmt::format("--max-error is {}; allowed is 0 to 1", *most));
+    Budget budget;
+    budget.max_error = most;
+    if (!options.time.empty()) budget.seconds = seconds_of("--time", options.time);
+    return budget;
 }
 
 std::string format_of(const std::filesystem::path& path)
@@ -81,13 +58,17 @@ void make(const TableOptions& options, const std::vector<std::string>& words)
     TableRequest request;
     request.name = path.stem().string();
     request.quantity = &find_quantity(options.quantity, Substance::surface);
+    request.budget = budget_of(options);
     if (request.quantity->on_grid()) {
         if (!options.axes.empty())
             throw UsageError(fmt::format("the quantity `{}` is over a --grid and has no --axis",
                                          options.quantity));
-        request.grid = grid_of(options);
+        if (request.budget.max_error || request.budget.seconds)
+            request.fit = options.grid.fit();
+        else
+            request.grid = options.grid.grid();
     } else {
-        if (!options.grid.empty())
+        if (!options.grid.counts.empty())
             throw UsageError(
                 fmt::format("the quantity `{}` has no --grid; write --axis for each of its axes, "
                             "e.g. --axis 'mu = {{ to = 1, count = 64 }}'",
@@ -98,9 +79,11 @@ void make(const TableOptions& options, const std::vector<std::string>& words)
     request.storage = {format_of(path), {options.half, options.compression}};
     scene.tables.push_back(request);
 
-    const std::vector<Job> jobs = plan_jobs(scene);
+    std::vector<Job> jobs = plan_jobs(scene);
     const Device device = options.device.open();
     if (options.dry_run) return print_estimate(device, jobs);
+    if (options.best_effort) jobs.front().must_reach = false;
+    fit_to_time(device, jobs);
     run_jobs(device, jobs);
 }
 
@@ -114,19 +97,19 @@ void add_table(CLI::App& app)
     verb->add_option("MODEL", options->model,
                      "a model or an alias; its parameters follow as --name value")
         ->required();
-    verb->add_option("--grid", options->grid,
-                     fmt::format("samples per axis, e.g. 32x64x32x64 (default: {})", default_grid));
-    verb->add_option("--kind", options->kind, "kind of the grid (default: by the number of axes)")
-        ->check(CLI::IsMember({"isotropic", "anisotropic", "rusinkiewicz"}));
-    verb->add_option("--samples", options->samples, "samples in cells' centres or on nodes")
-        ->check(CLI::IsMember({"centre", "node"}));
-    verb->add_option("--spacing", options->spacing, "of theta_h on a Rusinkiewicz grid")
-        ->check(CLI::IsMember({"linear", "merl"}));
+    options->grid.add_to(*verb);
     verb->add_option("--quantity", options->quantity,
                      "brdf, brdf_cosine: times cos theta_i, or an integral such as dfg");
     verb->add_option("--axis", options->axes,
                      "of an integral, once for each: 'mu = { to = 1, count = 64 }' or a parameter")
         ->allow_extra_args(false);
+    verb->add_option("--max-error", options->max_error,
+                     "of an integral, or of interpolation on a grid that it chooses, over the "
+                     "largest value");
+    verb->add_option("--time", options->time,
+                     "as exact an integral, or as fine a grid, as \"5 s\" allow");
+    verb->add_flag("--best-effort", options->best_effort,
+                   "Keep a table that did not reach its max_error");
     verb->add_option("-o,--output", options->output,
                      "file: .exr, .npy, .csv or .binary (default: MODEL.exr)");
     verb->add_flag("--half", options->half, "EXR with 16-bit floats");

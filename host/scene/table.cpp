@@ -18,21 +18,8 @@ namespace {
 double read_seconds(const Value& value)
 {
     if (value.is_number()) return value.number(0);
-    const auto text = value.text();
-    static constexpr std::array<std::pair<std::string_view, double>, 3> units = {
-        {{"s", 1}, {"min", 60}, {"h", 3600}}};
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    std::string_view unit(end, text.data() + text.size());
-    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
-    const auto known =
-        std::ranges::find(units, unit, [](const auto& entry) { return entry.first; });
-    if (error != std::errc() || known == units.end() || !(number >= 0 && number < 1e9))
-        value.fail(
-            fmt::format("`{}` cannot be \"{}\"; allowed is a time such as \"5 s\", \"2 min\" "
-                        "or \"1 h\"",
-                        value.name(), text));
-    return number * known->second;
+    return located(value.where(),
+                   [&] { return seconds_of(fmt::format("`{}`", value.name()), value.text()); });
 }
 
 Budget read_budget(const Section& table)
@@ -136,6 +123,24 @@ TableRequest read_request(const Section& table, std::size_t which,
 }
 
 }  // namespace
+
+double seconds_of(std::string_view name, std::string_view text)
+{
+    static constexpr std::array<std::pair<std::string_view, double>, 3> units = {
+        {{"s", 1}, {"min", 60}, {"h", 3600}}};
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    std::string_view unit(end, text.data() + text.size());
+    unit.remove_prefix(std::min(unit.find_first_not_of(' '), unit.size()));
+    const auto known =
+        std::ranges::find(units, unit, [](const auto& entry) { return entry.first; });
+    if (error != std::errc() || known == units.end() || !(number >= 0 && number < 1e9))
+        throw UsageError(
+            fmt::format("{} cannot be \"{}\"; allowed is a time such as \"5 s\", \"2 min\" or "
+                        "\"1 h\"",
+                        name, text));
+    return number * known->second;
+}
 
 void read_storage(const Section& section, Storage& storage)
 {

@@ -14,6 +14,9 @@ std::vector<TableRequest> read_table_requests(const Value& value,
                                               const std::vector<SceneMaterial>& materials,
                                               const Storage& storage);
 
+/// Of "5 s", "2 min" or "1 h". Throws UsageError that begins with the name for any other text.
+double seconds_of(std::string_view name, std::string_view text);
+
 /// { kind, counts, samples, spacing, delta_phi_to }
 Grid read_grid(const Value& value);
 

@@ -182,6 +182,40 @@ class Cli(unittest.TestCase):
         self.assertIn("no --grid", self.gonio(*dfg, "--grid", "4x4x4", code=2))
         self.assertIn("no --axis", self.gonio("table", "ggx", "--axis", mu, code=2))
 
+    def test_table_by_its_error_or_time(self):
+        lambert = ("table", "lambert", "-o", "a.npy")
+        rough = ("table", "oren_nayar", "-o", "rough.npy", "--max-error")
+
+        def header(name):
+            return json.loads(self.gonio("info", name, "--json"))["table"]
+
+        self.gonio(*rough, "0.02", "--interpolation", "cubic", "--samples", "node")
+        about = header("rough.npy")["attributes"]
+        self.assertLessEqual(about["interpolation.error"], 0.02)
+        self.assertIn("cubic", about["interpolation"])
+        self.gonio(*lambert, "--time", "0.1 s")
+        self.assertEqual(header("a.npy")["attributes"]["time"], 0.1)
+        mu = ("--quantity", "directional_albedo", "--axis", "mu = { to = 1, count = 3 }")
+        self.gonio(*lambert, *mu, "--max-error", "1e-3")
+        self.assertEqual(header("a.npy")["attributes"]["max_error"], 1e-3)
+
+        none = ("table", "lambert", "-o", "none.npy")
+        for words, message in (
+            (("--time", "5"), 'allowed is a time such as "5 s"'),
+            (("--max-error", "2"), "--max-error is 2; allowed is 0 to 1"),
+            (("--max-error", "nan"), "allowed is 0 to 1"),
+            (("--max-error", "0.1", "--grid", "4x4x4"), "--grid has counts"),
+            (("--interpolation", "cubic"), "--max-error or --time"),
+        ):
+            self.assertIn(message, self.gonio(*none, *words, code=2))
+        self.assertFalse((self.at / "none.npy").exists())
+        out_of_reach = (*rough, "1e-4", "--time", "0.01 s")
+        before = (self.at / "rough.npy").read_bytes()
+        self.assertIn("--best-effort", self.gonio(*out_of_reach, code=1))
+        self.assertEqual((self.at / "rough.npy").read_bytes(), before)
+        self.gonio(*out_of_reach, "--best-effort")
+        self.assertGreater(header("rough.npy")["attributes"]["interpolation.error"], 1e-4)
+
     def test_plan(self):
         (self.at / "s.toml").write_text(SCENE.format(n=4))
         plan = json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]
