@@ -3,17 +3,9 @@
 // it, Alerstam, Svensson, Andersson-Engels, J. Biomed. Opt. 13, 060504, 2008, seeded by Philox.
 #ifndef GONIO_CORE_STREAM
 #define GONIO_CORE_STREAM
-#include "core/philox.cl"
+#include "core/streams/seeded.cl"
 
-typedef four_words stream;  ///< a and b are the lower and the upper half of the state
-#define choose_stream choose_words
-
-/// The stream of photon or sample first + offset.
-static inline stream numbered_stream(ulong first, word offset, ulong seed)
-{
-    return philox(numbered(first, offset), seed, 10);
-}
-
+/// The state is in a, its lower half, and b.
 static inline word next_word(stream* s)
 {
     const long_word next = long_of(s->a) * 4294967118UL + long_of(s->b);

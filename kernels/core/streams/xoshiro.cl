@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The engine's random numbers: xoshiro128++ 1.0, Blackman and Vigna, Scrambled Linear Pseudorandom
-// Number Generators, ACM TOMS 47(4), 2021, seeded by a block of Philox once a photon. A block for
-// every step instead would take photons 1.4 times as long (gonio bench device-generators).
+// Number Generators, ACM TOMS 47(4), 2021, seeded by a block of Philox once a photon: of 2^128
+// states it may give one that xoshiro cannot have. A block for every step instead would take
+// photons 1.4 times as long (gonio bench device-generators).
 #ifndef GONIO_CORE_STREAM
 #define GONIO_CORE_STREAM
-#include "core/philox.cl"
-
-typedef four_words stream;
-#define choose_stream choose_words
-
-/// The stream of photon or sample first + offset. Only one state in 2^128 is one that xoshiro
-/// cannot have.
-static inline stream numbered_stream(ulong first, word offset, ulong seed)
-{
-    return philox(numbered(first, offset), seed, 10);
-}
+#include "core/streams/seeded.cl"
 
 static inline word next_word(stream* s)
 {
