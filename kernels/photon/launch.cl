@@ -4,12 +4,19 @@
 #define GONIO_PHOTON_LAUNCH
 #include "photon/boundary.cl"
 
+/// Photons of the launch that a lane takes at a time. On a processor the counter is what few lanes
+/// wait for; a graphics card has so many that there is little for each.
+#if SHARED_TALLIES
+#define PORTION 1
+#else
+#define PORTION 32
+#endif
+
 /// Photons that are still to be followed.
 typedef struct {
     global uint* taken;  ///< by the lanes of all work-items
     word next, end;      ///< of each lane's portion
     uint count;          ///< of the launch
-    uint portion;        ///< photons that a lane takes at a time
     uint has_portions;   ///< whether some may not be taken yet
     uint has_more;       ///< whether some may not have begun yet
     ulong first, seed;
@@ -25,8 +32,8 @@ static inline void take_portions(supply* from, mask_t lanes)
     FOR_LANES(i)
     {
         if (wants[i] == 0 || !from->has_portions) continue;
-        next[i] = min(atomic_add(from->taken, from->portion), from->count);
-        end[i] = min(next[i] + from->portion, from->count);
+        next[i] = min(atomic_add(from->taken, (uint)PORTION), from->count);
+        end[i] = min(next[i] + PORTION, from->count);
         from->has_portions = end[i] < from->count;
     }
     from->next = load_words(next);

@@ -113,9 +113,7 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
                      depth_bins_per_cm, wavelengths};
     const real zero = (real)(R(0.0));
     const word none = (word)(0);
-    // To take photons costs time, and lanes with a small share still to go end together.
-    const uint portion = max(count / ((uint)get_global_size(0) * WIDTH * 64), 1u);
-    supply from = {taken, none, none, count, portion, 1, 1, first, seed};
+    supply from = {taken, none, none, count, 1, 1, first, seed};
     packet p;
     p.x = p.y = p.z = p.u.x = p.u.y = zero;
     p.u.z = (real)(R(1.0));
