@@ -13,7 +13,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <string>
@@ -22,6 +21,7 @@
 #include "opencl/photon_kernel.hpp"
 #include "photon/mci.hpp"
 #include "reference/scalar_monte_carlo.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -29,8 +29,8 @@ namespace {
 constexpr double mcml_roulette = 1e-4;
 
 /// Other programs, photons a second and core, beside each other on a Zen 4 server of 2.6 GHz: MCML
-/// 1.2.2 and 2.0.1 (gcc -O3 -march=native -ffast-math -flto, with A(r, z)), PyXOpto (float, without)
-/// and MCX-CL (voxels), these two on PoCL 3.1.
+/// 1.2.2 and 2.0.1 (gcc -O3 -march=native -ffast-math -flto, with A(r, z)), PyXOpto (float,
+/// without) and MCX-CL (voxels), these two on PoCL 3.1.
 struct Others {
     double mcml_1, mcml_2, pyxopto, mcx_cl;
     /// MCML 1.2.2, times the scalar reference beside it on a Zen 5 server of 2.6 GHz: carries the
@@ -39,11 +39,11 @@ struct Others {
 };
 
 const std::map<std::string, Others> others = {
-    {"slab.mco", {3.20e6, 3.53e6, 2.53e6, 3.08e5, 2.15}},
-    {"sample.mco", {2.04e5, 2.19e5, 1.57e5, 3.15e4, 1.46}},
-    {"skin.mco", {2.01e4, 2.16e4, 1.72e4, 1.86e3, 1.43}},
-    {"giovanelli.mco", {3.01e5, 3.07e5, 2.27e5, 5.07e4, 1.69}},
-    {"skin5.mco", {7.95e4, 8.24e4, 6.34e4, 7.37e3, 1.38}},
+    {"slab.mco", {3.20e6, 3.53e6, 2.53e6, 3.08e5, 1.64}},
+    {"sample.mco", {2.04e5, 2.19e5, 1.57e5, 3.15e4, 1.61}},
+    {"skin.mco", {2.01e4, 2.16e4, 1.72e4, 1.86e3, 1.67}},
+    {"giovanelli.mco", {3.01e5, 3.07e5, 2.27e5, 5.07e4, 1.59}},
+    {"skin5.mco", {7.95e4, 8.24e4, 6.34e4, 7.37e3, 1.58}},
 };
 
 double median(std::vector<double> values)
@@ -81,14 +81,29 @@ private:
     std::vector<double> rates_;
 };
 
-double scalar_rate(const MciRun& run)
-{
-    const auto start = std::chrono::steady_clock::now();
-    constexpr std::size_t photons = 2000;
-    benchmark::DoNotOptimize(reference::simulate(run.medium, {.photons = photons}));
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    return photons / took.count();
-}
+/// The scalar reference, on one core.
+class Scalar {
+public:
+    explicit Scalar(const MciRun& run) : medium_(run.medium)
+    {
+        while (seconds() < 0.1) photons_ *= 2;
+    }
+
+    void measure() { rates_.push_back(static_cast<double>(photons_) / seconds()); }
+    double rate() const { return median(rates_); }
+
+private:
+    double seconds() const
+    {
+        const Stopwatch watch;
+        benchmark::DoNotOptimize(reference::simulate(medium_, {.photons = photons_}));
+        return watch.seconds();
+    }
+
+    LayeredMedium medium_;
+    std::size_t photons_ = 1000;
+    std::vector<double> rates_;
+};
 
 /// Of the score of one photon.
 double variance(const Device& device, const MciRun& run, double roulette)
@@ -107,17 +122,17 @@ void photons(benchmark::State& state, const MciRun& run)
     Variant usual(device, run, preset, false), deep(device, run, mcml_roulette, false),
         single(device, run, preset, false, 1), thin(narrow, run, preset, false),
         absorbed(device, run, preset, true);
-    std::vector<double> scalar;
+    Scalar scalar(run);
     for (auto _ : state) {
         for (Variant* variant : {&usual, &deep, &single, &thin, &absorbed}) variant->measure();
-        scalar.push_back(scalar_rate(run));
+        scalar.measure();
     }
     const double cores = device.info().compute_units;
     const double variances = variance(device, run, mcml_roulette) / variance(device, run, preset);
     state.SetLabel(device.info().name + ", vector width " + std::to_string(device.width()));
     state.counters["photons_per_core"] = usual.rate() / cores;
     state.counters["at_1e_4"] = deep.rate() / cores;
-    const double vs_scalar = deep.rate() / cores / median(scalar);
+    const double vs_scalar = deep.rate() / cores / scalar.rate();
     const Others& other = others.at(run.output);
     const double vs_mcml_1 = vs_scalar / other.mcml_1_vs_scalar;
     state.counters["vs_scalar"] = vs_scalar;
