@@ -150,18 +150,19 @@ void check_inversion(const LightJob& light, const Axis& albedos)
 }
 
 ExactValues invert_albedos(const LightJob& light, const Axis& albedos,
-                           const std::function<void()>& after_each)
+                           const reference::AfterPart& after_part)
 {
     const HalfSpace half_space(light);
     const double tolerance = light.budget.max_error.value_or(preset_error);
     ExactValues result{std::vector<Fraction>(albedos.values.size()), 0};
     std::mutex guard;
+    double done = 0;
     in_parallel(albedos.values.size(), [&](std::size_t k) {
         int nodes = 0;
         result.values[k] = invert(half_space, albedos.values[k], tolerance, nodes);
         const std::scoped_lock lock(guard);
         result.nodes = std::max(result.nodes, nodes);
-        after_each();
+        after_part(++done / static_cast<double>(albedos.values.size()));
     });
     return result;
 }

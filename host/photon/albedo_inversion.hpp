@@ -13,10 +13,10 @@ void check_inversion(const LightJob& light, const Axis& albedos);
 
 /// The single-scattering albedo at which the half-space, with its index and its phase function,
 /// reflects each of these parts of the light. Its reflectance is exact to the job's max_error,
-/// 1e-6 if there is none; errors are those of the single-scattering albedo. `after_each` as in
+/// 1e-6 if there is none; errors are those of the single-scattering albedo. `after_part` as in
 /// exact_values(), by one thread after the other. Throws RunError where the max_error is out of
 /// reach.
 ExactValues invert_albedos(const LightJob& light, const Axis& albedos,
-                           const std::function<void()>& after_each);
+                           const reference::AfterPart& after_part);
 
 }  // namespace gonio

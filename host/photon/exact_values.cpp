@@ -16,6 +16,7 @@
 namespace gonio {
 namespace {
 
+using reference::AfterPart;
 using std::numbers::pi;
 
 constexpr double budget_tolerance = 1e-6;
@@ -27,10 +28,11 @@ double tolerance(const LightJob& light, double otherwise)
     return light.budget.max_error.value_or(otherwise);
 }
 
-ExactValues budget(const LightJob& light)
+ExactValues budget(const LightJob& light, const AfterPart& after_part)
 {
-    const auto solution = reference::solve_layers_to(
-        light.medium, {.incidence = {light.light.incidence}}, tolerance(light, budget_tolerance));
+    const auto solution =
+        reference::solve_layers_to(light.medium, {.incidence = {light.light.incidence}},
+                                   tolerance(light, budget_tolerance), after_part);
     ExactValues result{{}, solution.nodes};
     for (const double part : parts_of(solution.under(light.light).budget))
         result.values.push_back({part, solution.error});
@@ -42,27 +44,27 @@ double albedo(const reference::LightBudget& budget)
     return budget.specular + budget.diffuse_reflectance;
 }
 
-ExactValues mean_albedo(const LightJob& light)
+ExactValues mean_albedo(const LightJob& light, const AfterPart& after_part)
 {
-    const auto solution =
-        reference::solve_layers_to(light.medium, {}, tolerance(light, budget_tolerance));
+    const auto solution = reference::solve_layers_to(
+        light.medium, {}, tolerance(light, budget_tolerance), after_part);
     return {{{albedo(solution.diffuse.budget), solution.error}}, solution.nodes};
 }
 
-ExactValues directional_albedo(const LightJob& light, const Axis& cosines)
+ExactValues directional_albedo(const LightJob& light, const Axis& cosines,
+                               const AfterPart& after_part)
 {
     reference::LightRequest request;
     for (const double mu : cosines.values) request.incidence.push_back(std::acos(mu));
-    const auto solution =
-        reference::solve_layers_to(light.medium, request, tolerance(light, budget_tolerance));
+    const auto solution = reference::solve_layers_to(
+        light.medium, request, tolerance(light, budget_tolerance), after_part);
     ExactValues result{{}, solution.nodes};
     for (const reference::Illumination& one : solution.collimated)
         result.values.push_back({albedo(one.budget), solution.error});
     return result;
 }
 
-ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes,
-                 const std::function<void()>& after_each)
+ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes, const AfterPart& after_part)
 {
     const auto radians = [](const Axis& axis, double zero) {
         std::vector<double> angles;
@@ -71,7 +73,7 @@ ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes,
     };
     const auto brdf = reference::layered_brdf_to(light.medium, radians(axes[0], 0),
                                                  radians(axes[1], 0), radians(axes[2], 180),
-                                                 tolerance(light, brdf_tolerance), after_each);
+                                                 tolerance(light, brdf_tolerance), after_part);
     ExactValues result{{}, brdf.nodes};
     // Where next to nothing is scattered the sum over modes may fall below 0 within its error.
     for (const double value : brdf.values)
@@ -123,7 +125,7 @@ void add_narrow(std::vector<Fraction>& values, double flux, double sine)
     values[bin].mean += flux / solid_angle(bin, count);
 }
 
-ExactValues by_angle(const LightJob& light, const Axis& alpha)
+ExactValues by_angle(const LightJob& light, const Axis& alpha, const AfterPart& after_part)
 {
     const bool up = light.quantity->id == "reflectance_alpha";
     const std::size_t count = alpha.values.size();
@@ -134,8 +136,8 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha)
     exits.insert(exits.end(), fine.angles.begin(), fine.angles.end());
     reference::LightRequest request{.incidence = {light.light.incidence}};
     (up ? request.exit_above : request.exit_below) = exits;
-    const auto solution =
-        reference::solve_layers_to(light.medium, request, tolerance(light, angular_tolerance));
+    const auto solution = reference::solve_layers_to(
+        light.medium, request, tolerance(light, angular_tolerance), after_part);
     const reference::Illumination& found = solution.under(light.light);
     const Eigen::VectorXd& intensity = up ? found.reflected : found.transmitted;
     const double error =
@@ -158,16 +160,16 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha)
 }  // namespace
 
 ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes,
-                         const std::function<void()>& after_each)
+                         const AfterPart& after_part)
 {
     const std::string_view id = light.quantity->id;
-    if (id == "brdf") return brdf(light, axes, after_each);
-    if (id == "directional_albedo") return directional_albedo(light, axes.front());
-    if (id == "mean_albedo") return mean_albedo(light);
-    if (id == "single_scattering_albedo") return invert_albedos(light, axes.front(), after_each);
-    if (id == "mean_path") return mean_paths(light);
-    if (id == "light_budget") return budget(light);
-    return by_angle(light, axes.front());
+    if (id == "brdf") return brdf(light, axes, after_part);
+    if (id == "directional_albedo") return directional_albedo(light, axes.front(), after_part);
+    if (id == "mean_albedo") return mean_albedo(light, after_part);
+    if (id == "single_scattering_albedo") return invert_albedos(light, axes.front(), after_part);
+    if (id == "mean_path") return mean_paths(light, after_part);
+    if (id == "light_budget") return budget(light, after_part);
+    return by_angle(light, axes.front(), after_part);
 }
 
 }  // namespace gonio

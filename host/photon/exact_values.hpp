@@ -2,11 +2,11 @@
 // Quantities of layers by adding-doubling, without noise.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "gonio/job.hpp"
 #include "gonio/photons.hpp"
+#include "reference/adding_doubling/refinement.hpp"
 
 namespace gonio {
 
@@ -16,11 +16,10 @@ struct ExactValues {
 };
 
 /// Of a job's layers, over the axes of its table. Throws RunError where the max_error is out of
-/// reach. `after_each` is called after each part of a BRDF and each inverted albedo;
-/// what it throws ends the work.
+/// reach. `after_part` gets the part that is done; what it throws ends the work.
 ExactValues exact_values(
     const LightJob& light, const std::vector<Axis>& axes,
-    const std::function<void()>& after_each = [] {});
+    const reference::AfterPart& after_part = [](double) {});
 
 /// A number for each part of a budget, in the order of the channels of light_budget.
 template <class Budget>

@@ -45,8 +45,8 @@ LightTable make_light_table(const Device& device, const Job& given,
             forget_simulation(job);
             return simulated.table;
         }
-        const ExactValues exact =
-            exact_values(*job.layers, job.header.axes, [&] { after_launch({}); });
+        const ExactValues exact = exact_values(
+            *job.layers, job.header.axes, [&](double part) { after_launch({.fraction = part}); });
         write(job, exact.values);
         const double error = largest_error(exact.values);
         return {0, 0, error, {{"nodes", exact.nodes}, {"error_of_largest_value", error}}};

@@ -27,7 +27,7 @@ struct LightTable {
 };
 
 /// Writes the table to job.path; nothing is visible there unless it is complete. after_launch may
-/// throw; without photons it is told nothing but that time has passed. Throws RunError where the
+/// throw; without photons it is told the fraction alone. Throws RunError where the
 /// budget ended before a max_error that must be reached. leave_out: layers that the table does not
 /// need, as asked_layers() says.
 LightTable make_light_table(const Device& device, const Job& job,

@@ -80,7 +80,7 @@ std::array<Path, 2> paths(const LightJob& light, std::size_t layer, int nodes)
 
 }  // namespace
 
-ExactValues mean_paths(const LightJob& light)
+ExactValues mean_paths(const LightJob& light, const reference::AfterPart& after_part)
 {
     // Errors of the quadrature cancel in differences: nodes for the budgets are enough.
     constexpr double budget_error = 1e-6;
@@ -91,7 +91,9 @@ ExactValues mean_paths(const LightJob& light)
     ExactValues result{std::vector<Fraction>(2 * layers), nodes};
     for (std::size_t layer = 0; layer < layers; ++layer) {
         const auto fine = paths(light, layer, nodes);
+        after_part((static_cast<double>(layer) + 2.0 / 3) / static_cast<double>(layers));
         const auto coarse = paths(light, layer, nodes * 7 / 10);
+        after_part((static_cast<double>(layer) + 1) / static_cast<double>(layers));
         for (const std::size_t side : {0U, 1U})
             result.values[side * layers + layer] = {
                 fine[side].mean,

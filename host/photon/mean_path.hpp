@@ -10,6 +10,6 @@ namespace gonio {
 /// Beer and Lambert light that has come a path p through a layer carries a factor exp(-mua p), so
 /// that the mean path is -d ln R / d mua: differentiated numerically, for adding-doubling has no
 /// noise. 0 where no light leaves.
-ExactValues mean_paths(const LightJob& light);
+ExactValues mean_paths(const LightJob& light, const reference::AfterPart& after_part);
 
 }  // namespace gonio

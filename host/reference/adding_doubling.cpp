@@ -12,6 +12,7 @@
 #include "gonio/errors.hpp"
 #include "reference/adding_doubling/interface.hpp"
 #include "reference/adding_doubling/stack.hpp"
+#include "reference/adding_doubling/told_slabs.hpp"
 
 namespace gonio::reference {
 namespace {
@@ -161,21 +162,25 @@ LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& re
 }
 
 LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest& request,
-                                double tolerance)
+                                double tolerance, const AfterPart& after_part)
 {
-    constexpr double first = 24, most = 512;
+    constexpr double most = 512;
     validate(medium);
-    LayeredSolution coarse = solve_once(medium, request, coarser(int(first)));
-    for (double nodes = first; nodes <= most; nodes *= std::numbers::sqrt2) {
-        LayeredSolution solution =
-            solve_once(medium, request, static_cast<int>(std::lround(nodes)));
+    const std::size_t exact =
+        request.incidence.size() + request.exit_above.size() + request.exit_below.size();
+    const auto solve = [&](int nodes, const AfterPart& after) {
+        ToldSlabs slabs(static_cast<double>(medium.layers.size()), after);
+        return solve_once(medium, request, nodes, std::ref(slabs));
+    };
+    const auto error_of = [](LayeredSolution& solution, const LayeredSolution& coarse) {
         compare(solution, coarse);
-        if (std::max(solution.error, solution.angular_error) <= tolerance) return solution;
-        coarse = std::move(solution);
-    }
+        return std::max(solution.error, solution.angular_error);
+    };
+    auto [solution, error] = refine({tolerance, most, exact}, after_part, solve, error_of);
+    if (error <= tolerance) return std::move(solution);
     throw RunError(
         fmt::format("adding-doubling reached an error of {:.1e} and not {:.1e} with {} nodes",
-                    std::max(coarse.error, coarse.angular_error), tolerance, coarse.nodes));
+                    error, tolerance, solution.nodes));
 }
 
 }  // namespace gonio::reference

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gonio/layers.hpp"
+#include "reference/adding_doubling/refinement.hpp"
 #include "reference/adding_doubling/slab.hpp"
 
 namespace gonio::reference {
@@ -67,7 +68,8 @@ LayeredSolution solve_layers_once(const LayeredMedium& medium, const LightReques
 
 /// Raises the number of nodes until no error is above `tolerance`. Throws RunError where 512 are
 /// not enough.
-LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest& request,
-                                double tolerance);
+LayeredSolution solve_layers_to(
+    const LayeredMedium& medium, const LightRequest& request, double tolerance,
+    const AfterPart& after_part = [](double) {});
 
 }  // namespace gonio::reference

@@ -2,10 +2,10 @@
 // The BRDF of layered media without noise.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "gonio/layers.hpp"
+#include "reference/adding_doubling/refinement.hpp"
 
 namespace gonio::reference {
 
@@ -26,11 +26,10 @@ LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>&
                          int nodes);
 
 /// Raises the number of nodes until the error is at most `tolerance` of the largest value. Throws
-/// RunError where 256 are not enough, and what `after_mode` throws, which is called after each
-/// mode.
+/// RunError where 256 are not enough.
 LayeredBrdf layered_brdf_to(
     const LayeredMedium& medium, const std::vector<double>& theta_i,
     const std::vector<double>& theta_o, const std::vector<double>& delta_phi, double tolerance,
-    const std::function<void()>& after_mode = [] {});
+    const AfterPart& after_part = [](double) {});
 
 }  // namespace gonio::reference

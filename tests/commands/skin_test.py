@@ -4,9 +4,11 @@
 
 import json
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -92,6 +94,23 @@ class Skin(unittest.TestCase):
         ):
             self.assertIn(part, self.gonio("skin", *words, code=2))
         self.assertEqual(list(self.at.iterdir()), [])
+
+    def test_ctrl_c_stops_the_brdf_of_layers_at_once(self):
+        # A minute of work, half of it in one solution.
+        grid = 'grid = { kind = "isotropic", theta_i = 90, theta_o = 90, delta_phi = 9 }'
+        (self.at / "s.toml").write_text(
+            '[[material]]\nname = "arm"\nskin = "meglinski_2002"\nwavelength = 550\n'
+            f'[[table]]\nmaterial = "arm"\nquantity = "brdf"\nmax_error = 1e-6\n{grid}\n'
+        )
+        command = [GONIO, "run", "s.toml", "-o", "tables"]
+        with subprocess.Popen(command, cwd=self.at, stdout=subprocess.PIPE) as running:
+            time.sleep(1.5)
+            running.send_signal(signal.SIGINT)
+            sent = time.monotonic()
+            running.communicate()
+        self.assertEqual(running.returncode, 130)
+        self.assertLess(time.monotonic() - sent, 1)
+        self.assertEqual(list((self.at / "tables").iterdir()), [])
 
     def test_an_own_model_is_read_and_its_mistakes_have_a_place(self):
         text = '[[layers]]\nname = "x"\nd = 0.1\nn = 1.4\nmus = 50\ng = 0.8\nabsorption = '

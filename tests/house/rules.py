@@ -85,7 +85,7 @@ MAY_INCLUDE = {
     "include/gonio/shared/": (r"gonio/shared/", r"<c(stdint|stddef|math)>"),
     "include/": (r"gonio/", r"<(?!CL/)"),
     "kernels/": (r"(core|directions|brdf|photon)/|[a-z_]+\.(h|cl)$|gonio/shared/",),
-    "host/reference/": (r"reference/|gonio/", r"<(?!CL/)"),
+    "host/reference/": (r"reference/|gonio/|parallel\.hpp", r"<(?!CL/)"),
     "host/opencl/": (r"",),
     "host/": (r"(?!kernels/|tests/|bench/|<CL/)",),
 }

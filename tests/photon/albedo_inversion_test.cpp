@@ -35,7 +35,7 @@ Axis albedos(std::vector<double> values)
 
 std::vector<Fraction> inverted(const LightJob& light, const std::vector<double>& values)
 {
-    return invert_albedos(light, albedos(values), [] {}).values;
+    return invert_albedos(light, albedos(values), [](double) {}).values;
 }
 
 TEST(AlbedoInversion, IsChandrasekhars)

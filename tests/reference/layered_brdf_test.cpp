@@ -5,9 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
 #include "reference/adding_doubling.hpp"
@@ -111,6 +113,29 @@ TEST(LayeredBrdfTest, AddsUpToTheBudget)
     }
     const LayeredSolution solution = solve_layers(medium, {.incidence = {radians(50)}}, 36);
     EXPECT_NEAR(albedo, solution.collimated[0].budget.diffuse_reflectance, 1e-7);
+}
+
+TEST(LayeredBrdfTest, TellsItsPart)
+{
+    const LayeredMedium medium = in_air({layer(1.4, 1, 50, 0.8, 0.1), layer(1.4, 1, 50, 0.7, 1)});
+    const std::vector<double> angles = {0, radians(50)}, azimuths = {0, pi};
+    std::vector<double> parts;
+    layered_brdf_to(medium, angles, angles, azimuths, 1e-4,
+                    [&](double part) { parts.push_back(part); });
+    ASSERT_GT(parts.size(), 1000U);
+    // The last solution takes the longest, and each of its modes about as long.
+    const double half = parts[parts.size() * 3 / 4];
+    EXPECT_GT(half, 0.4);
+    EXPECT_LT(half, 0.9);
+    EXPECT_GT(parts.back(), 0.95);
+    EXPECT_LE(std::ranges::max(parts), 1 + 1e-12);
+    EXPECT_GE(std::ranges::min(parts), 0);
+    int calls = 0;
+    const auto stop = [&](double) {
+        if (++calls == 3) throw std::runtime_error("interrupted");
+    };
+    EXPECT_THROW(layered_brdf_to(medium, angles, angles, azimuths, 1e-4, stop), std::runtime_error);
+    EXPECT_LT(calls, 100);  // other processors end the doubling that they are at
 }
 
 }  // namespace

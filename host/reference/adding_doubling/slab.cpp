@@ -20,7 +20,7 @@ double mean_decay(double x)
 class Doubling {
 public:
     Doubling(const Layer& layer, const LocalDirections& directions, int mode);
-    Slab solve(double thickness) const;
+    Slab solve(double thickness, const std::function<void()>& after_doubling) const;
 
 private:
     Slab unscattered(double thickness) const;
@@ -112,7 +112,7 @@ Slab Doubling::doubled(const Slab& half, double thickness) const
     return whole;
 }
 
-Slab Doubling::solve(double thickness) const
+Slab Doubling::solve(double thickness, const std::function<void()>& after_doubling) const
 {
     if (clear_) return unscattered(thickness);
     const double levels = std::max(0.0, std::ceil(std::log2(thickness / thinnest_)));
@@ -126,6 +126,7 @@ Slab Doubling::solve(double thickness) const
         }
         part *= 2;
         slab = doubled(slab, part);
+        after_doubling();
     }
     return slab;
 }
@@ -134,9 +135,15 @@ Slab Doubling::solve(double thickness) const
 
 Slab solve_slab(const Layer& layer, const LocalDirections& directions, int mode)
 {
+    return solve_slab_by_steps(layer, directions, mode, [] {});
+}
+
+Slab solve_slab_by_steps(const Layer& layer, const LocalDirections& directions, int mode,
+                         const std::function<void()>& after_doubling)
+{
     constexpr double infinite =
         1e30;  // cm: light that scatters only has gone back by then, to 1 / optical depth
-    return Doubling(layer, directions, mode).solve(std::min(layer.d, infinite));
+    return Doubling(layer, directions, mode).solve(std::min(layer.d, infinite), after_doubling);
 }
 
 }  // namespace gonio::reference

@@ -21,6 +21,10 @@ struct Slab {
 /// the last digits. An infinite layer transmits nothing.
 Slab solve_slab(const Layer& layer, const LocalDirections& directions, int mode);
 
+/// The same; what `after_doubling` throws ends the work.
+Slab solve_slab_by_steps(const Layer& layer, const LocalDirections& directions, int mode,
+                         const std::function<void()>& after_doubling);
+
 /// solve_slab, or what gives the same slabs.
 using SlabSolver =
     std::function<Slab(const Layer& layer, const LocalDirections& directions, int mode)>;

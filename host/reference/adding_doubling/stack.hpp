@@ -23,6 +23,6 @@ struct Stack {
 /// Adds up the layers for the part of the light that goes as cos(mode phi); `kept` is meant for
 /// mode 0.
 Stack add_layers(const LayeredMedium& medium, const Directions& directions, int mode,
-                 const SlabSolver& solver = solve_slab);
+                 const SlabSolver& solver);
 
 }  // namespace gonio::reference
