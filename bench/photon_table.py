@@ -36,8 +36,8 @@ def main():
     table = (
         f"Measured on {runs[0]['label']}.\n\n"
         "| medium | photons a second and core | with MCML's roulette, 1e-4 | times the scalar "
-        "reference | times MCML 2.0 | times PyXOpto | times MCX-CL | times width 1 | two cores over "
-        "one | time with A(r, z) |\n"
+        "reference | times MCML 2.0 | times PyXOpto | times MCX-CL | times width 1 | two cores "
+        "over one | time with A(r, z) |\n"
         "|---|---|---|---|---|---|---|---|---|---|\n"
         + "".join(map(row, runs))
     )

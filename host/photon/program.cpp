@@ -10,117 +10,12 @@
 
 #include "gonio/errors.hpp"
 #include "gonio/shared/photon_fields.h"
-#include "photon/phase_segments.hpp"
+#include "photon/layer_records.hpp"
 
 namespace gonio {
 namespace {
 
-constexpr double no_matter = 1e30;  // a free path that always ends at a boundary, cm
 constexpr double cm_per_ps = 0.0299792458;
-constexpr double everything = 1.01;  // of a weight, also after rounding; no more than all is taken
-
-/// Writes a phase function into the record of a layer.
-struct PhaseFields {
-    float* record;
-    std::vector<float>& segments;
-
-    void operator()(const HenyeyGreenstein& phase) const { terms(phase.g, 0, 1); }
-    void operator()(const Isotropic&) const { terms(0, 0, 1); }
-    void operator()(const Rayleigh&) const
-    {
-        terms(0, 0, 1);
-        record[layer_rayleigh] = 1;
-    }
-    void operator()(const TwoTermHenyeyGreenstein& phase) const
-    {
-        terms(phase.g_1, phase.g_2, phase.weight_1);
-    }
-    void operator()(const TabulatedPhase& phase) const
-    {
-        terms(0, 0, 1);
-        const std::vector<float> records = phase_segments(phase);
-        const std::size_t first = segments.size() / segment_fields;
-        const std::size_t count = records.size() / segment_fields;
-        record[layer_first_segment] = static_cast<float>(first);
-        record[layer_segments] = static_cast<float>(count);
-        segments.insert(segments.end(), records.begin(), records.end());
-    }
-
-    void terms(double g_1, double g_2, double weight_1) const
-    {
-        record[layer_g_1] = static_cast<float>(g_1);
-        record[layer_g_2] = static_cast<float>(g_2);
-        record[layer_weight_1] = static_cast<float>(weight_1);
-    }
-};
-
-/// Fills the program's records of layers and of their tabulated phase functions.
-void add_layers(PhotonProgram& program, const LayeredMedium& medium)
-{
-    const std::size_t count = medium.layers.size();
-    program.layers.resize(count * layer_fields);
-    double top = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        const Layer& layer = medium.layers[k];
-        float* record = &program.layers[k * layer_fields];
-        const double met = layer.mua + layer.mus;
-        const double up = layer.n / (k == 0 ? medium.n_above : medium.layers[k - 1].n);
-        const double down = layer.n / (k + 1 == count ? medium.n_below : medium.layers[k + 1].n);
-        const auto set = [&](layer_field field, double value) {
-            record[field] = static_cast<float>(value);
-        };
-        set(layer_mean_free_path, met > 1 / no_matter ? 1 / met : no_matter);
-        set(layer_absorbed, layer.mus == 0 ? everything : layer.mua / met);
-        set(layer_thickness, layer.d);
-        set(layer_top, top);
-        set(layer_index, layer.n);
-        set(layer_ratio_up, up);
-        set(layer_excess_up, (1 - up) * (1 + up));
-        set(layer_ratio_down, down);
-        set(layer_excess_down, (1 - down) * (1 + down));
-        std::visit(PhaseFields{record, program.phases}, layer.phase);
-        top += layer.d;
-    }
-    if (program.phases.empty()) program.phases.resize(segment_fields);  // no buffer has no bytes
-}
-
-/// How far apart the layers of a spectrum are: vectors of every width may read to the end.
-std::size_t spectrum_stride(const PhotonTallies& tallies)
-{
-    constexpr std::size_t widest = 16;
-    return (tallies.spectrum.size() + widest - 1) / widest * widest;
-}
-
-void add_spectrum(PhotonProgram& program, const PhotonTallies& tallies, std::size_t layers)
-{
-    const std::size_t first = program.layers.size(), stride = spectrum_stride(tallies);
-    program.layers.resize(first + layers * stride);
-    for (std::size_t k = 0; k < tallies.spectrum.size(); ++k)
-        for (std::size_t layer = 0; layer < layers; ++layer)
-            program.layers[first + layer * stride + k] =
-                static_cast<float>(tallies.spectrum[k][layer]);
-}
-
-/// Refraction at the first boundary: Born and Wolf 1.5.2.
-KernelSource refracted_beam(const LayeredMedium& medium, const LightSource& light)
-{
-    const double incidence = light.beam == Beam::diffuse ? 0 : light.incidence;
-    const double ratio = medium.n_above / medium.layers.front().n, cosine = std::cos(incidence);
-    const double sine = ratio * std::sin(incidence);
-    const double excess = (1 - ratio) * (1 + ratio);
-    KernelSource source{static_cast<float>(sine), 0, 0, static_cast<float>(ratio),
-                        static_cast<float>(excess)};
-    source.radius_x = static_cast<float>(light.radius / cosine);
-    source.radius_y = static_cast<float>(light.radius);
-    if (sine >= 1) return source;
-    const double behind = std::sqrt((1 - sine) * (1 + sine));
-    const double s = (ratio * cosine - behind) / (ratio * cosine + behind);
-    const double p = (ratio * behind - cosine) / (ratio * behind + cosine);
-    source.cosine = static_cast<float>(behind);
-    source.weight =
-        static_cast<std::uint32_t>(std::lround((1 - (s * s + p * p) / 2) * whole_photon));
-    return source;
-}
 
 template <class Phase>
 bool has_phase(const LayeredMedium& medium)
@@ -169,30 +64,21 @@ double row_bins_per_unit(const PhotonTallies& tallies)
     }
 }
 
-}  // namespace
-
-PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& request)
+/// Where each tally begins among the sums.
+void place_sums(PhotonProgram& program, const PhotonTallies& tallies, std::size_t layers)
 {
-    validate(medium);
-    check(request);
-    const PhotonTallies& tallies = request.tallies;
-    check_spectrum(tallies, medium.layers.size());
-    PhotonProgram program;
-    add_layers(program, medium);
-    add_spectrum(program, tallies, medium.layers.size());
-    program.source = refracted_beam(medium, request.light);
-    if (medium.bottom == Bottom::diffuse)
-        program.bottom_albedo = static_cast<float>(medium.bottom_albedo);
-    program.row_bins_per_unit = static_cast<float>(row_bins_per_unit(tallies));
-    program.radius_bins_per_cm = static_cast<float>(1 / tallies.radius_width);
-    program.depth_bins_per_cm = static_cast<float>(1 / tallies.depth_width);
-    program.reflected = photon_totals + medium.layers.size();
+    program.reflected = photon_totals + layers;
     program.transmitted = program.reflected + (tallies.reflected ? tallies.exit_bins() : 0);
     program.absorbed = program.transmitted + (tallies.transmitted ? tallies.exit_bins() : 0);
     program.spectrum = program.absorbed + (tallies.absorbed ? tallies.absorbed_bins() : 0);
-    const std::size_t wavelengths = program.wavelengths = tallies.spectrum.size();
-    program.sums = program.spectrum + (tallies.rows + 3) * wavelengths;
+    program.wavelengths = tallies.spectrum.size();
+    program.sums = program.spectrum + (tallies.rows + 3) * program.wavelengths;
+}
 
+/// All that is compiled in.
+void define_all(PhotonProgram& program, const LayeredMedium& medium, const PhotonRequest& request)
+{
+    const PhotonTallies& tallies = request.tallies;
     const Layer& top = medium.layers.front();
     program.preamble = "#define EACH_LAYER(DO)";
     for (std::size_t k = 0; k < medium.layers.size(); ++k)
@@ -225,11 +111,32 @@ PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& r
         define("ABSORBED_RADIUS_BINS", tallies.absorbed_radii);
         define("FIRST_ABSORBED", program.absorbed);
     }
-    if (wavelengths > 0) {
+    if (program.wavelengths > 0) {
         define("SPECTRUM", 1);
         define("SPECTRUM_ROWS", tallies.rows + 1);
         define("FIRST_SPECTRUM", program.spectrum);
     }
+}
+
+}  // namespace
+
+PhotonProgram photon_program(const LayeredMedium& medium, const PhotonRequest& request)
+{
+    validate(medium);
+    check(request);
+    const PhotonTallies& tallies = request.tallies;
+    check_spectrum(tallies, medium.layers.size());
+    PhotonProgram program;
+    add_layers(program, medium);
+    add_spectrum(program, tallies, medium.layers.size());
+    place_sums(program, tallies, medium.layers.size());
+    program.source = refracted_beam(medium, request.light);
+    if (medium.bottom == Bottom::diffuse)
+        program.bottom_albedo = static_cast<float>(medium.bottom_albedo);
+    program.row_bins_per_unit = static_cast<float>(row_bins_per_unit(tallies));
+    program.radius_bins_per_cm = static_cast<float>(1 / tallies.radius_width);
+    program.depth_bins_per_cm = static_cast<float>(1 / tallies.depth_width);
+    define_all(program, medium, request);
     return program;
 }
 
