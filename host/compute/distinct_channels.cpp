@@ -41,9 +41,9 @@ bool has_tables(const Material& material)
 
 }  // namespace
 
-bool is_shared(const std::vector<double>& numbers)
+bool all_are(const std::vector<double>& numbers, double number)
 {
-    return std::ranges::all_of(numbers, [&](double other) { return other == numbers.front(); });
+    return std::ranges::all_of(numbers, [&](double other) { return other == number; });
 }
 
 DistinctChannels all_channels(const Material& material)

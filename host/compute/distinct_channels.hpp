@@ -19,7 +19,7 @@ DistinctChannels distinct_channels(const Material& material);
 /// Every channel as it is.
 DistinctChannels all_channels(const Material& material);
 
-/// Is a list of numbers, one or one for each channel, the same in all of them?
-bool is_shared(const std::vector<double>& numbers);
+/// Is a list of numbers, one or one for each channel, this one in all of them?
+bool all_are(const std::vector<double>& numbers, double number);
 
 }  // namespace gonio

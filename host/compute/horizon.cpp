@@ -60,17 +60,14 @@ bool touches_horizon(const Grid& grid)
            });
 }
 
-std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
-                        std::size_t first, std::size_t count, float* values)
+void clear_poles(const Reference& f, const Grid& grid, std::size_t channels, std::size_t first,
+                 std::size_t count, float* values)
 {
-    std::size_t poles = 0;
     const std::size_t length = grid.axes.back().values.size();
     for_each_pole(f, grid, channels, first, count,
                   [&](std::size_t row, std::size_t channel, std::size_t column) {
                       values[(channel * count + row) * length + column] = 0;
-                      ++poles;
                   });
-    return poles;
 }
 
 std::size_t count_poles(const Reference& f, const Grid& grid, std::size_t channels)

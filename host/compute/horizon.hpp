@@ -21,9 +21,9 @@ bool has_limit_on_horizon(const Reference& f, glm::dvec3 l, glm::dvec3 v, std::s
 bool touches_horizon(const Grid& grid);
 
 /// Sets cells of rows [first, first + count) without a finite limit to 0. values:
-/// [channel][row][column]. Returns how many.
-std::size_t clear_poles(const Reference& f, const Grid& grid, std::size_t channels,
-                        std::size_t first, std::size_t count, float* values);
+/// [channel][row][column].
+void clear_poles(const Reference& f, const Grid& grid, std::size_t channels, std::size_t first,
+                 std::size_t count, float* values);
 
 /// How many samples of a whole grid have no finite limit.
 std::size_t count_poles(const Reference& f, const Grid& grid, std::size_t channels);

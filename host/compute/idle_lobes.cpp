@@ -4,15 +4,9 @@
 
 #include <algorithm>
 
+#include "compute/distinct_channels.hpp"
+
 namespace gonio {
-namespace {
-
-bool all_are(const std::vector<double>& numbers, double number)
-{
-    return std::ranges::all_of(numbers, [&](double other) { return other == number; });
-}
-
-}  // namespace
 
 std::optional<double> even_facet_reflectance(const Lobe& lobe)
 {

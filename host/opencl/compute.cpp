@@ -72,7 +72,7 @@ try {
     const std::size_t granule = reciprocal ? tables.counts[1] : 1;
     const std::size_t tile = rows_per_tile(device.info, row_size * sizeof(float), tables.rows,
                                            granule, options.tile_bytes);
-    ComputeReport report{0,         kernel.build_seconds(), 0, 0, kernel.program().width, mirrored,
+    ComputeReport report{0,         kernel.build_seconds(), 0, kernel.program().width, mirrored,
                          reciprocal};
     const Reference reference = make_reference(material, measure);
     const bool horizon = touches_horizon(grid);
@@ -96,7 +96,7 @@ try {
         float* values = buffers[slot].wait();
         report.kernel_seconds += seconds_of(events[slot]);
         ++report.tiles;
-        if (horizon) report.poles += clear_poles(reference, grid, channels, first, count, values);
+        if (horizon) clear_poles(reference, grid, channels, first, count, values);
         sink({first, count, planes_of(values, distinct.of, count * tables.length)});
         buffers[slot].unmap();
     }

@@ -44,12 +44,12 @@ std::string preamble(const Material& material, const std::string& directions_fil
                              numbers == For::all_numbers || is_weighted(lobe) ? 1 : 0);
         for (std::size_t p = 0; p < lobe.values.size(); ++p) {
             const Kind kind = lobe.model->parameters[p].kind;
+            const auto& values = lobe.values[p];
             if (kind == Kind::choice)
-                choices +=
-                    fmt::format("{}, ", special && reflects_all(lobe, p) ? facets_reflect_all
-                                                                         : lobe.values[p][0]);
+                choices += fmt::format(
+                    "{}, ", special && reflects_all(lobe, p) ? facets_reflect_all : values[0]);
             if (kind == Kind::color)
-                shared += special && coloured && is_shared(lobe.values[p]) ? "1, " : "0, ";
+                shared += special && coloured && all_are(values, values.front()) ? "1, " : "0, ";
         }
     }
     return fmt::format("{}#define LOBES{}\n#define CHOICES {}0\n#define SHARED {}0\n", includes,

@@ -2,7 +2,6 @@
 // Makes what is not finished, and keeps the rest.
 #include "plan/batch.hpp"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
@@ -51,20 +50,22 @@ std::vector<const Job*> equal_jobs(const std::vector<Job>& jobs)
 
 BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make, Keep keep)
 {
+    const std::vector<const Job*> equals =
+        keep == Keep::finished ? equal_jobs(jobs) : std::vector<const Job*>(jobs.size());
     std::vector<Job> unfinished;
-    std::ranges::remove_copy_if(jobs, std::back_inserter(unfinished), [&](const Job& job) {
-        return keep == Keep::finished && is_finished(job);
-    });
+    std::vector<const Job*> twins;
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        if (keep == Keep::finished && is_finished(jobs[k])) continue;
+        unfinished.push_back(jobs[k]);
+        twins.push_back(equals[k]);
+    }
     check_disk(unfinished);
     prepare_directories(unfinished);
     double cells = 0;
     for (const Job& job : unfinished) cells += static_cast<double>(job.header.cells());
     Progress progress(cells);
     BatchReport report{0, jobs.size() - unfinished.size()};
-    const std::vector<const Job*> twins = keep == Keep::finished
-                                              ? equal_jobs(unfinished)
-                                              : std::vector<const Job*>(unfinished.size());
-    std::map<std::filesystem::path, nlohmann::ordered_json> runs;
+    std::map<std::filesystem::path, nlohmann::ordered_json> runs;  // of this run's tables
     for (std::size_t k = 0; k < unfinished.size(); ++k) {
         const Job& job = unfinished[k];
         throw_if_interrupted();
@@ -77,7 +78,7 @@ BatchReport run_batch(const std::vector<Job>& jobs, const MakeTable& make, Keep 
             runs[job.path] = make(job, progress);
         }
         ++(twin != nullptr ? report.copied : report.made);
-        write_sidecar(job.path, job.header, runs.at(twin != nullptr ? twin->path : job.path));
+        write_sidecar(job.path, job.header, runs[twin != nullptr ? twin->path : job.path]);
     }
     return report;
 }

@@ -66,7 +66,7 @@ bool is_grey(const Lobe& lobe)
     for (std::size_t k = 0; k < lobe.values.size(); ++k) {
         if (lobe.model->parameters[k].kind != Kind::color) continue;
         coloured = true;
-        grey = grey && is_shared(lobe.values[k]);
+        grey = grey && all_are(lobe.values[k], lobe.values[k].front());
     }
     return coloured && grey;
 }

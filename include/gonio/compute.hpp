@@ -28,7 +28,6 @@ struct ComputeReport {
     double kernel_seconds = 0;  ///< by the device's clock
     double build_seconds = 0;
     std::size_t tiles = 0;
-    std::size_t poles = 0;  ///< samples on the horizon without a finite limit, stored as 0
     unsigned width = 1;
     bool mirrored = false, reciprocal = false;
 };
