@@ -37,13 +37,13 @@ void leave_out_models(JobPlan& plan, const Material& material)
               "no lobe is one of them: they are not compiled");
 }
 
-/// part of a whole is left out, so that the work is about so much less.
+/// part of a whole is left out, so that the work is about so much less, if all parts are alike.
 void leave_out_part(JobPlan& plan, const char* of, std::size_t all, std::size_t left,
-                    std::string why)
+                    std::string why, bool alike = true)
 {
-    if (left < all)
-        leave_out(plan, fmt::format("{} of {} {}", all - left, all, of), std::move(why),
-                  static_cast<double>(all) / static_cast<double>(left));
+    if (left == all) return;
+    leave_out(plan, fmt::format("{} of {} {}", all - left, all, of), std::move(why));
+    if (alike) plan.left_out.back().saving = static_cast<double>(all) / static_cast<double>(left);
 }
 
 void leave_out_lobes(JobPlan& plan, const Material& given, const Material& kept)
@@ -129,11 +129,13 @@ void explain_layers(JobPlan& plan, const Device& device, const Job& job)
     const LightJob& light = *job.layers;
     const AskedLayers asked = asked_layers(job);
     const std::size_t all = light.medium.layers.size(), left = asked.medium.layers.size();
+    // Few photons come to where none is needed: the bench's savings have none of this.
+    const bool alike = light.solver == "adding_doubling";
     leave_out_part(plan, "layers", all, all - asked.clear,
-                   "clear, of their neighbour's index, and nobody asks for them");
+                   "clear, of their neighbour's index, and nobody asks for them", alike);
     leave_out_part(
         plan, "layers", left + asked.unreached, left,
-        fmt::format("less than {:.0e} of the light comes as far and back", asked.returned));
+        fmt::format("less than {:.0e} of the light comes as far and back", asked.returned), alike);
     if (light.solver == "adding_doubling")
         return leave_out_photons(plan, light.budget.max_error.value_or(default_error));
     const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);

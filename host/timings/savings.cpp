@@ -6,6 +6,7 @@
 #include "gonio/job.hpp"
 #include "gonio/photons.hpp"
 #include "photon/asked_layers.hpp"
+#include "photon/bins.hpp"
 #include "photon/exact_values.hpp"
 #include "plan/batch.hpp"
 #include "timings/sections.hpp"
@@ -48,14 +49,20 @@ Contest of_tables(const BenchRun& run, const std::string& name, const std::strin
     return {name, [timed] { return timed(true); }, [timed] { return timed(false); }};
 }
 
-/// Skin where blood absorbs most, down to the layers that light comes back from.
+/// A table of skin where blood absorbs most.
+Job at_420_nm(const std::string& table)
+{
+    return plan_jobs(parse_scene("[[material]]\nname = \"m\"\nskin = \"meglinski_2002\"\n"
+                                 "wavelength = 420\n[[table]]\nmaterial = \"m\"\n" +
+                                     table,
+                                 "layers"))
+        .front();
+}
+
+/// Down to the layers that light comes back from.
 Contest of_layers()
 {
-    const Job job = plan_jobs(parse_scene("[[material]]\nname = \"m\"\nskin = \"meglinski_2002\"\n"
-                                          "wavelength = 420\n[[table]]\nmaterial = \"m\"\n"
-                                          "quantity = \"mean_albedo\"\nmax_error = 1e-4\n",
-                                          "layers"))
-                        .front();
+    const Job job = at_420_nm("quantity = \"mean_albedo\"\nmax_error = 1e-4\n");
     const auto timed = [job](bool leave_out) {
         return seconds_on_the_wall([&] {
             LightJob light = *job.layers;
@@ -64,6 +71,27 @@ Contest of_layers()
         });
     };
     return {"skin at 420 nm", [timed] { return timed(true); }, [timed] { return timed(false); }};
+}
+
+/// The same by photons, as many either way.
+Contest of_photons(const BenchRun& run)
+{
+    const Job job = at_420_nm(
+        "quantity = \"reflectance_alpha\"\nsolver = \"monte_carlo\"\nmax_error = 1e-2\n"
+        "axes = { alpha = { to = 90, count = 9 } }\n");
+    const auto timed = [job, &run](bool leave_out) {
+        return seconds_on_the_wall([&] {
+            const LightJob& light = *job.layers;
+            PhotonTracer tracer(
+                run.device, leave_out ? asked_layers(job).medium : light.medium,
+                {.light = light.light, .tallies = tallies_of(*light.quantity, job.header.axes)});
+            tracer.trace(1 << 20);
+        });
+    };
+    timed(true);
+    timed(false);
+    return {"by photons at 420 nm", [timed] { return timed(true); },
+            [timed] { return timed(false); }};
 }
 
 /// Adding-doubling in place of as many photons as have the same error.
@@ -119,6 +147,7 @@ BenchPlot bench_savings(const BenchRun& run)
                   1));
     add(of_tables(run, "one table, twice", "{ model = \"oren_nayar\" }", 2));
     add(of_layers());
+    add(of_photons(run));
     add(of_skin(run));
     std::vector<std::function<double()>> runs;
     for (const Contest& contest : contests) {

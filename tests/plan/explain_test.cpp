@@ -81,13 +81,22 @@ TEST(PlanInWords, SaysWhichChannelsAndFactorsAreNotComputed)
 
 TEST(PlanInWords, SaysWhichLayersAreNotNeeded)
 {
-    const JobPlan plan = plan_of(
+    const std::string layers =
         "[[material]]\nname = \"a\"\nlayers = [ { n = 1.4, d = 0.1 }, { mua = 20, mus = 20, n = "
         "1.4, d = 0.5 }, { mus = 100, n = 1.4, d = 1 }, { mua = 1, n = 1.5, d = 1 } ]\n"
-        "[[table]]\nmaterial = \"a\"\nquantity = \"mean_albedo\"\nmax_error = 1e-3\n");
+        "[[table]]\nmaterial = \"a\"\nmax_error = 1e-3\n";
+    const JobPlan plan = plan_of(layers + "quantity = \"mean_albedo\"\n");
     EXPECT_EQ(left_out(plan),
               (std::vector<std::string>{"1 of 4 layers", "2 of 3 layers", "photons"}));
     EXPECT_EQ(plan.left_out[1].saving, 3);
+    // Photons that are not followed there are few, and no work to speak of is saved.
+    const JobPlan photons = plan_of(layers +
+                                    "quantity = \"reflectance_alpha\"\nsolver = \"monte_carlo\"\n"
+                                    "axes = { alpha = { to = 90, count = 2 } }\n");
+    EXPECT_EQ(photons.left_out[0].what, "1 of 4 layers");
+    EXPECT_FALSE(photons.left_out[0].saving);
+    EXPECT_EQ(photons.left_out[1].what, "2 of 3 layers");
+    EXPECT_FALSE(photons.left_out[1].saving);
 }
 
 TEST(PlanInWords, SaysWhatSkinLeavesOut)
