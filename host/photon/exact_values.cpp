@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <utility>
 
 #include "photon/albedo_inversion.hpp"
 #include "photon/bins.hpp"
@@ -12,6 +14,7 @@
 #include "reference/adding_doubling.hpp"
 #include "reference/gauss_legendre.hpp"
 #include "reference/layered_brdf.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -25,15 +28,51 @@ constexpr double brdf_tolerance = 1e-3;
 
 double tolerance(const LightJob& light, double otherwise)
 {
-    return light.budget.max_error.value_or(otherwise);
+    return light.budget.max_error.value_or(light.budget.seconds ? 0 : otherwise);
+}
+
+/// Whether a further solution is done in time.
+class InTime {
+public:
+    explicit InTime(const LightJob& light) : seconds_(light.budget.seconds.value_or(INFINITY)) {}
+
+    bool operator()(double growth)
+    {
+        const double now = since_.seconds(), before = std::exchange(before_, now);
+        return now + growth * (now - before) <= seconds_;
+    }
+
+    /// Of the work, or of the time if that ends before.
+    AfterPart told(const AfterPart& after_part) const
+    {
+        return [&](double part) {
+            after_part(std::max(part, std::min(since_.seconds() / seconds_, 1.0)));
+        };
+    }
+
+private:
+    double seconds_, before_ = 0;
+    Stopwatch since_;
+};
+
+/// The solution, and no values yet.
+std::pair<reference::LayeredSolution, ExactValues> solve(const LightJob& light,
+                                                         const reference::LightRequest& request,
+                                                         double otherwise,
+                                                         const AfterPart& after_part)
+{
+    InTime time(light);
+    auto solution = reference::solve_layers_to(light.medium, request, tolerance(light, otherwise),
+                                               time.told(after_part), std::ref(time));
+    const double error = std::max(solution.error, solution.angular_error);
+    const int nodes = solution.nodes;
+    return {std::move(solution), {{}, nodes, error}};
 }
 
 ExactValues budget(const LightJob& light, const AfterPart& after_part)
 {
-    const auto solution =
-        reference::solve_layers_to(light.medium, {.incidence = {light.light.incidence}},
-                                   tolerance(light, budget_tolerance), after_part);
-    ExactValues result{{}, solution.nodes};
+    auto [solution, result] =
+        solve(light, {.incidence = {light.light.incidence}}, budget_tolerance, after_part);
     for (const double part : parts_of(solution.under(light.light).budget))
         result.values.push_back({part, solution.error});
     return result;
@@ -46,9 +85,9 @@ double albedo(const reference::LightBudget& budget)
 
 ExactValues mean_albedo(const LightJob& light, const AfterPart& after_part)
 {
-    const auto solution = reference::solve_layers_to(
-        light.medium, {}, tolerance(light, budget_tolerance), after_part);
-    return {{{albedo(solution.diffuse.budget), solution.error}}, solution.nodes};
+    auto [solution, result] = solve(light, {}, budget_tolerance, after_part);
+    result.values = {{albedo(solution.diffuse.budget), solution.error}};
+    return result;
 }
 
 ExactValues directional_albedo(const LightJob& light, const Axis& cosines,
@@ -56,9 +95,7 @@ ExactValues directional_albedo(const LightJob& light, const Axis& cosines,
 {
     reference::LightRequest request;
     for (const double mu : cosines.values) request.incidence.push_back(std::acos(mu));
-    const auto solution = reference::solve_layers_to(
-        light.medium, request, tolerance(light, budget_tolerance), after_part);
-    ExactValues result{{}, solution.nodes};
+    auto [solution, result] = solve(light, request, budget_tolerance, after_part);
     for (const reference::Illumination& one : solution.collimated)
         result.values.push_back({albedo(one.budget), solution.error});
     return result;
@@ -71,10 +108,11 @@ ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes, const Aft
         for (const double degrees : axis.values) angles.push_back((degrees - zero) * pi / 180);
         return angles;
     };
-    const auto brdf = reference::layered_brdf_to(light.medium, radians(axes[0], 0),
-                                                 radians(axes[1], 0), radians(axes[2], 180),
-                                                 tolerance(light, brdf_tolerance), after_part);
-    ExactValues result{{}, brdf.nodes};
+    InTime time(light);
+    const auto brdf = reference::layered_brdf_to(
+        light.medium, radians(axes[0], 0), radians(axes[1], 0), radians(axes[2], 180),
+        tolerance(light, brdf_tolerance), time.told(after_part), std::ref(time));
+    ExactValues result{{}, brdf.nodes, brdf.error / std::ranges::max(brdf.values)};
     // Where next to nothing is scattered the sum over modes may fall below 0 within its error.
     for (const double value : brdf.values)
         result.values.push_back({std::max(value, 0.0), brdf.error});
@@ -136,13 +174,11 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha, const AfterPart& 
     exits.insert(exits.end(), fine.angles.begin(), fine.angles.end());
     reference::LightRequest request{.incidence = {light.light.incidence}};
     (up ? request.exit_above : request.exit_below) = exits;
-    const auto solution = reference::solve_layers_to(
-        light.medium, request, tolerance(light, angular_tolerance), after_part);
+    auto [solution, result] = solve(light, request, angular_tolerance, after_part);
     const reference::Illumination& found = solution.under(light.light);
     const Eigen::VectorXd& intensity = up ? found.reflected : found.transmitted;
     const double error =
         intensity.size() == 0 ? 0 : solution.angular_error * intensity.cwiseAbs().maxCoeff();
-    ExactValues result{{}, solution.nodes};
     for (std::size_t bin = 0; bin < count; ++bin) {
         const double mean = fine(intensity, rough.angles.size(), bin);
         result.values.push_back({mean, error + std::abs(mean - rough(intensity, 0, bin))});

@@ -13,10 +13,12 @@ namespace gonio {
 struct ExactValues {
     std::vector<Fraction> values;  ///< in the order of the table; error: a bound
     int nodes = 0;                 ///< quadrature directions that it took
+    double error = 0;  ///< that a max_error bounds, where a time may have ended it first
 };
 
-/// Of a job's layers, over the axes of its table. Throws RunError where the max_error is out of
-/// reach. `after_part` gets the part that is done; what it throws ends the work.
+/// Of a job's layers, over the axes of its table: to its max_error, as exact as its time allows, or
+/// whichever comes first. Throws RunError where the max_error is out of reach in any time.
+/// `after_part` gets the part that is done; what it throws ends the work.
 ExactValues exact_values(
     const LightJob& light, const std::vector<Axis>& axes,
     const reference::AfterPart& after_part = [](double) {});

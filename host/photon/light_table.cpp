@@ -2,8 +2,11 @@
 // Makes the table of a job with layers: by adding-doubling, or by Monte Carlo until a budget ends.
 #include "photon/light_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
+#include "gonio/errors.hpp"
 #include "photon/asked_layers.hpp"
 #include "photon/bins.hpp"
 #include "photon/exact_values.hpp"
@@ -47,6 +50,12 @@ LightTable make_light_table(const Device& device, const Job& given,
         }
         const ExactValues exact = exact_values(
             *job.layers, job.header.axes, [&](double part) { after_launch({.fraction = part}); });
+        const Budget& budget = job.layers->budget;
+        if (job.must_reach && exact.error > *budget.max_error)
+            throw RunError(fmt::format(
+                "with {} nodes, as many as {} s are enough for, table `{}` is off by {:.2g}, and "
+                "not by {:.2g}; give it more, or --best-effort",
+                exact.nodes, *budget.seconds, job.name, exact.error, *budget.max_error));
         write(job, exact.values);
         const double error = largest_error(exact.values);
         return {0, 0, error, {{"nodes", exact.nodes}, {"error_of_largest_value", error}}};

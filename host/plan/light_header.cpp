@@ -135,8 +135,7 @@ TableHeader make_light_header(const Job& job, const std::string& material,
     }
     add_medium(all, light.medium);
     if (light.budget.max_error) all.emplace_back("max_error", *light.budget.max_error);
-    if (light.solver != "monte_carlo") return header;
-    all.emplace_back("seed", static_cast<double>(light.seed));
+    if (light.solver == "monte_carlo") all.emplace_back("seed", static_cast<double>(light.seed));
     if (light.budget.photons)
         all.emplace_back("photons", static_cast<double>(*light.budget.photons));
     if (light.budget.seconds) {

@@ -28,6 +28,8 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     if (traced) {
         job.profile = profile_request(request);
         job.must_reach = job.profile->max_error.has_value();
+        if (job.profile->seconds)
+            *job.profile->seconds /= static_cast<double>(sets_of(task).size());
     }
     job.skin = std::move(task);
 }

@@ -162,7 +162,8 @@ LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& re
 }
 
 LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest& request,
-                                double tolerance, const AfterPart& after_part)
+                                double tolerance, const AfterPart& after_part,
+                                const GoesOn& goes_on)
 {
     constexpr double most = 512;
     validate(medium);
@@ -176,8 +177,9 @@ LayeredSolution solve_layers_to(const LayeredMedium& medium, const LightRequest&
         compare(solution, coarse);
         return std::max(solution.error, solution.angular_error);
     };
-    auto [solution, error] = refine({tolerance, most, exact}, after_part, solve, error_of);
-    if (error <= tolerance) return std::move(solution);
+    auto [solution, error, enough] =
+        refine({tolerance, most, exact}, after_part, goes_on, solve, error_of);
+    if (enough) return std::move(solution);
     throw RunError(
         fmt::format("adding-doubling reached an error of {:.1e} and not {:.1e} with {} nodes",
                     error, tolerance, solution.nodes));

@@ -66,10 +66,10 @@ LayeredSolution solve_layers(const LayeredMedium& medium, const LightRequest& re
 LayeredSolution solve_layers_once(const LayeredMedium& medium, const LightRequest& request,
                                   int nodes, const SlabSolver& solver = solve_slab);
 
-/// Raises the number of nodes until no error is above `tolerance`. Throws RunError where 512 are
-/// not enough.
+/// Raises the number of nodes until no error is above `tolerance`, or goes_on says no. Throws
+/// RunError where 512 are not enough, unless the tolerance is 0: as close as they come.
 LayeredSolution solve_layers_to(
     const LayeredMedium& medium, const LightRequest& request, double tolerance,
-    const AfterPart& after_part = [](double) {});
+    const AfterPart& after_part = [](double) {}, const GoesOn& goes_on = goes_on_always);
 
 }  // namespace gonio::reference

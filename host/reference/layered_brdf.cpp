@@ -125,7 +125,7 @@ LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>&
 LayeredBrdf layered_brdf_to(const LayeredMedium& medium, const std::vector<double>& theta_i,
                             const std::vector<double>& theta_o,
                             const std::vector<double>& delta_phi, double tolerance,
-                            const AfterPart& after_part)
+                            const AfterPart& after_part, const GoesOn& goes_on)
 {
     constexpr double most = 256;
     validate(medium);
@@ -141,9 +141,9 @@ LayeredBrdf layered_brdf_to(const LayeredMedium& medium, const std::vector<doubl
         compare(brdf, coarse);
         return brdf.error / std::ranges::max(brdf.values);
     };
-    auto [brdf, error] =
-        refine({tolerance, most, theta_i.size() + theta_o.size()}, after_part, solve, error_of);
-    if (error <= tolerance) return std::move(brdf);
+    auto [brdf, error, enough] = refine({tolerance, most, theta_i.size() + theta_o.size()},
+                                        after_part, goes_on, solve, error_of);
+    if (enough) return std::move(brdf);
     throw RunError(fmt::format(
         "adding-doubling of the BRDF reached an error of {:.1e} of its largest value and not "
         "{:.1e} with {} nodes; solver = \"monte_carlo\" does not need them",

@@ -25,11 +25,11 @@ LayeredBrdf layered_brdf(const LayeredMedium& medium, const std::vector<double>&
                          const std::vector<double>& theta_o, const std::vector<double>& delta_phi,
                          int nodes);
 
-/// Raises the number of nodes until the error is at most `tolerance` of the largest value. Throws
-/// RunError where 256 are not enough.
+/// Raises the number of nodes until the error is at most `tolerance` of the largest value, or
+/// goes_on says no. Throws RunError where 256 are not enough, unless the tolerance is 0.
 LayeredBrdf layered_brdf_to(
     const LayeredMedium& medium, const std::vector<double>& theta_i,
     const std::vector<double>& theta_o, const std::vector<double>& delta_phi, double tolerance,
-    const AfterPart& after_part = [](double) {});
+    const AfterPart& after_part = [](double) {}, const GoesOn& goes_on = goes_on_always);
 
 }  // namespace gonio::reference

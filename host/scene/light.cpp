@@ -80,6 +80,12 @@ void read_light(const Section& table, TableRequest& request)
         radius->fail("`radius` is for light = \"gaussian\" and light = \"top_hat\"");
 }
 
+/// Rather than solved once with more and more nodes.
+bool searches(std::string_view id)
+{
+    return id == "mean_path" || id == "single_scattering_albedo";
+}
+
 }  // namespace
 
 void read_light_request(const Section& table, TableRequest& request)
@@ -98,7 +104,12 @@ void read_light_request(const Section& table, TableRequest& request)
     else if (!quantity.on_grid())
         read_bins(table, request);
     if (request.solver != "adding_doubling") return;
-    for (const auto key : {"time", "photons", "seed"})
+    if (const auto time = table.find("time"); time && searches(quantity.id))
+        time->fail(
+            fmt::format("the quantity `{}` has no `time`: its numbers are searched for, each until "
+                        "it is exact",
+                        quantity.id));
+    for (const auto key : {"photons", "seed"})
         if (const auto value = table.find(key))
             value->fail(
                 fmt::format("`{}` is for solver = \"monte_carlo\", not adding_doubling, "

@@ -32,9 +32,9 @@ void check_wavelengths(const Value& axes, const Skin& skin, const Axis& axis)
 void read_profile_request(const Section& table, const Skin& skin, TableRequest& request)
 {
     const bool spectrum = request.quantity->id == "reflectance_r";
-    std::vector<std::string_view> keys = {"material",  "name",       "quantity", "axes",
-                                          "solver",    "photons",    "seed",     "format",
-                                          "precision", "compression"};
+    std::vector<std::string_view> keys = {"material",  "name",        "quantity", "axes",
+                                          "solver",    "photons",     "seed",     "format",
+                                          "precision", "compression", "time"};
     if (spectrum) keys.emplace_back("max_error");
     table.allow(keys);
     if (const auto seed = table.find("seed"))

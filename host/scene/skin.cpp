@@ -76,6 +76,10 @@ LayeredMedium read_skin_layers(const Section& material)
 void read_skin_request(const Section& table, const Skin& skin, TableRequest& request)
 {
     if (request.solver == "monte_carlo") return read_profile_request(table, skin, request);
+    if (const auto time = table.find("time"))
+        time->fail(
+            "`time` is for light that spreads, by photons; without noise each wavelength has the "
+            "fewest nodes that keep to `max_error`");
     table.allow({"material", "name", "quantity", "axes", "light", "theta_i", "solver", "max_error",
                  "format", "precision", "compression"});
     if (const auto light = table.find("light"))

@@ -129,14 +129,12 @@ RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>&
     for (const ColourBand& band : bands) media.push_back(band.layers);
     const auto bases = spectral_bases(media);
     RadialProfile profile = empty_profile(request), off = profile;
-    const auto part = [&](std::size_t base, std::uint64_t photons) {
-        const double of_base = static_cast<double>(photons) / static_cast<double>(request.photons);
-        return (static_cast<double>(base) + of_base) / static_cast<double>(bases.size());
-    };
+    profile.photons = UINT64_MAX;
+    const auto all = static_cast<double>(bases.size());
     nlohmann::ordered_json states = from;
     for (std::size_t k = 0; k < bases.size(); ++k) {
         nlohmann::ordered_json& state = states[k];
-        BaseTracer tracer(device, bases[k], k, request, state["tracer"]);
+        BaseTracer tracer(device, bases, k, request, state["tracer"]);
         ColouredRings rings(
             bases[k], bands, request.rings, [](const BaseShare& share) { return share.weight; },
             state["rings"]);
@@ -148,12 +146,14 @@ RadialProfile trace_profile(const Device& device, const std::vector<ColourBand>&
             return states;
         };
         while (!tracer.has_ended()) {
-            tracer.trace_batch([&] { after_launch(part(k, tracer.photons()), updated); });
+            tracer.trace_batch(
+                [&] { after_launch((static_cast<double>(k) + tracer.part()) / all, updated); });
             const PhotonResult found = tracer.result();
             rings.update(found);
             offs.update(found);
         }
         updated();
+        profile.photons = std::min(profile.photons, tracer.photons());
         rings.add_to(profile);
         offs.add_to(off);
     }

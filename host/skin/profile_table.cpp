@@ -18,7 +18,8 @@ nlohmann::ordered_json fits_of(const ProfileFit<SumOfGaussians>& gaussians,
                                const RadialProfile& profile)
 {
     const auto burley = fit_burley(profile);
-    return {{"gaussians",
+    return {{"photons", profile.photons},
+            {"gaussians",
              {{"variance_mm2", gaussians.function.variances},
               {"weight_rgb", gaussians.function.weights},
               {"error_rgb", gaussians.error}}},
@@ -65,7 +66,10 @@ nlohmann::ordered_json make_colour_table(const Device& device, const Job& job,
     };
     const TracedSets traced = trace_sets(job, after_each, trace);
     write_table(job.path, job.format, traced.table, job.write);
-    return {{"photons", job.profile->photons}, {"fits", traced.beside}};
+    std::uint64_t photons = UINT64_MAX;  // of each set, at least
+    for (const auto& fit : traced.beside)
+        photons = std::min(photons, fit.at("photons").get<std::uint64_t>());
+    return {{"photons", photons}, {"fits", traced.beside}};
 }
 
 }  // namespace
@@ -75,7 +79,9 @@ ProfileRequest profile_request(const TableRequest& request)
     ProfileRequest wanted{.seed = request.seed};
     wanted.photons = request.budget.photons.value_or(wanted.photons);
     wanted.max_error = request.budget.max_error;
-    if (wanted.max_error && !request.budget.photons) wanted.photons = most_photons;
+    wanted.seconds = request.budget.seconds;
+    if ((wanted.max_error || wanted.seconds) && !request.budget.photons)
+        wanted.photons = most_photons;
     if (request.quantity->id != "preintegrated_rgb") {
         const Axis& rings = request.axes.back();
         wanted.rings = rings.values.size();
@@ -100,6 +106,10 @@ TableHeader profile_header(const SkinTask& task, const TableRequest& request)
     if (wanted.photons < most_photons)
         all.emplace_back("photons", static_cast<double>(wanted.photons));
     if (wanted.max_error) all.emplace_back("max_error", *wanted.max_error);
+    if (wanted.seconds) {
+        all.emplace_back("time", *wanted.seconds);
+        all.emplace_back("time.unit", std::string("s"));
+    }
     all.emplace_back("seed", static_cast<double>(wanted.seed));
     if (spectrum) return header;
     all.emplace_back("colour.observer", std::string("CIE 1931 2 deg, D65, every 20 nm"));

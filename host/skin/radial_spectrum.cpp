@@ -108,7 +108,7 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
     const auto each = static_cast<double>(bases.size());
     nlohmann::ordered_json states = from;
     for (std::size_t k = 0; k < bases.size(); ++k) {
-        BaseTracer tracer(device, bases[k], k, request, states[k]);
+        BaseTracer tracer(device, bases, k, request, states[k]);
         const auto measured = [&] {
             return request.max_error && tracer.batches() >= least_batches
                        ? largest_error(tracer.result(), bases[k].shares.size(), request)
@@ -117,9 +117,7 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
         double error = measured();
         const auto enough = [&] { return request.max_error && error <= *request.max_error; };
         const auto part = [&] {
-            const double of_photons =
-                static_cast<double>(tracer.photons()) / static_cast<double>(request.photons);
-            return std::max(of_photons,
+            return std::max(tracer.part(),
                             request.max_error ? std::pow(*request.max_error / error, 2) : 0.0);
         };
         const auto state = [&] {

@@ -23,12 +23,14 @@ struct RadialProfile {
     double width = 0;                                 ///< of a ring, cm
     std::array<std::vector<Fraction>, 3> rings = {};  ///< [R, G, B][ring]
     std::array<Fraction, 3> total = {};               ///< with what leaves beyond the last ring
+    std::uint64_t photons = 0;                        ///< that a band sees, at least
 };
 
 struct ProfileRequest {
     double width = 0.002;  ///< of a ring, cm
     std::size_t rings = 500;
-    std::uint64_t photons = 100'000;  ///< that a wavelength sees, at most; up to 2^48
+    std::uint64_t photons = 100'000;     ///< that a wavelength sees, at most; up to 2^48
+    std::optional<double> seconds = {};  ///< that it all takes, about, at most
     /// Of R(r) at each wavelength, the largest standard error over the largest value: fewer photons
     /// may do. Of spectra only.
     std::optional<double> max_error = {};

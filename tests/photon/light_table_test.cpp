@@ -98,6 +98,34 @@ TEST_F(LightTables, StopAtTheirBudget)
     EXPECT_GT(make(job(bins + "time = \"0.1 s\"\n")).photons, 0U);
 }
 
+/// As many nodes as there is time for, with the error that they have.
+TEST_F(LightTables, StopAtTheirTimeWithoutNoise)
+{
+    const std::string budget = "quantity = \"light_budget\"\n";
+    for (const std::string& quantity :
+         {budget,
+          std::string("quantity = \"brdf\"\ngrid = { kind = \"isotropic\", theta_i = 2, theta_o = "
+                      "2, delta_phi = 2 }\n"),
+          std::string("quantity = \"reflectance_alpha\"\naxes = { alpha = { to = 90, count = 3 } "
+                      "}\n")}) {
+        SCOPED_TRACE(quantity);
+        const LightTable rough = make(job(quantity + "time = 0\n"));
+        EXPECT_EQ(rough.run["nodes"], 24);
+        Job missed = job(quantity + "max_error = 1e-13\ntime = 0\n");
+        std::filesystem::remove(missed.path);
+        EXPECT_THROW(make(missed), RunError);
+        EXPECT_FALSE(std::filesystem::exists(missed.path));
+        missed.must_reach = false;
+        EXPECT_EQ(make(missed).error, rough.error);
+    }
+    const Job timed = job(budget + "time = \"0.5 s\"\n");
+    EXPECT_GT(make(timed).run["nodes"], 24);
+    EXPECT_TRUE(is_finished(timed));
+    const Table table = read_table(timed.path);
+    EXPECT_NEAR(table.values[1][0], 0.09739464, 1e-8);
+    EXPECT_LT(table.values[7][0], 1e-7);
+}
+
 std::string bytes_of(const std::filesystem::path& path)
 {
     std::ifstream file(path, std::ios::binary);

@@ -78,6 +78,9 @@ TEST(SceneOfLayers, RefusesWhatDoesNotFit)
     EXPECT_EQ(refusal(forearm + "quantity = \"brdf\"\nsolver = \"monte_carlo\"\ngrid = @{ kind = "
                                 "\"isotropic\", theta_i = 3, theta_o = 3, delta_phi = 3 }\n"),
               "bins over 360 deg of `delta_phi` must be even in number, or end at 180 deg");
+    EXPECT_EQ(refusal(forearm + "quantity = \"mean_path\"\ntime = @5\n"),
+              "the quantity `mean_path` has no `time`: its numbers are searched for, each until it "
+              "is exact");
     EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nphotons = @10\n"),
               "`photons` is for solver = \"monte_carlo\", not adding_doubling, which has no noise");
 }

@@ -139,6 +139,9 @@ TEST(SceneOfSkin, IsCheckedBefore)
               "the quantity `colour_rgb` has no axes");
     EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\n@photons = 10\n").substr(0, 21),
               "unknown key `photons`");
+    EXPECT_EQ(refusal(skin + "quantity = \"colour_rgb\"\ntime = @1\n"),
+              "`time` is for light that spreads, by photons; without noise each wavelength has the "
+              "fewest nodes that keep to `max_error`");
     EXPECT_EQ(refusal(skin + "quantity = \"reflectance_spectrum\"\naxes = @{ wavelength = { values "
                              "= [500, 1100] } }\n"),
               "1100 nm: skin `jacques_1998` is known at 250 to 1000 nm; so far goes "
@@ -169,6 +172,10 @@ TEST(SceneOfSkin, SpreadsLightOfEachWavelength)
     EXPECT_GT(table.values[0][4], table.values[0][0]);  // red light comes back, and spreads
     EXPECT_GT(table.values[0][7] / table.values[0][4], table.values[0][3] / table.values[0][0]);
     EXPECT_EQ(run.at("photons"), 4096);
+    const Job timed =
+        plan_jobs(parse_scene(arm + axes + "time = 5\n", "s.toml"), testing::TempDir())[0];
+    EXPECT_EQ(timed.profile->seconds, 5);
+    EXPECT_EQ(std::get<double>(*timed.header.find("time")), 5);
     EXPECT_EQ(run.at("spectra")[0].at("effective_photons").size(), 2U);
 
     const Job strict =

@@ -87,6 +87,18 @@ TEST(RadialSpectrum, EndsWhereItIsExactEnough)
     EXPECT_EQ(trace_spectrum(Device(), skin, {450, 650}, request).photons[0], 4321U);
 }
 
+TEST(RadialSpectrum, EndsInTime)
+{
+    const Skin skin(find_skin_model("meglinski_2002"));
+    ProfileRequest request{.width = 0.1, .rings = 2, .photons = 1 << 30, .seconds = 0};
+    const auto first = trace_spectrum(Device(), skin, {450, 650}, request);
+    EXPECT_EQ(first.photons[0], 2048U);  // two batches tell an error
+    EXPECT_TRUE(std::isfinite(first.rings[0][0].error));
+    request.seconds = 0.2;
+    EXPECT_GT(trace_spectrum(Device(), skin, {450, 650}, request).photons[0], 2048U);
+    EXPECT_GT(trace_profile(Device(), bands_of(skin), request).photons, 2048U);
+}
+
 // Weights of interpolation add up to 1, for the rule with one base less too; no photon gets
 // heavier.
 TEST(SpectralBases, ServeEveryWavelength)

@@ -15,8 +15,17 @@ namespace gonio::reference {
 /// Gets the part of the work that is done, as far as it can be told. What it throws ends the work.
 using AfterPart = std::function<void(double part)>;
 
+/// Asked before each further solution, with its work over that of the last one, which stays where
+/// it says no.
+using GoesOn = std::function<bool(double growth)>;
+
+inline bool goes_on_always(double)
+{
+    return true;
+}
+
 struct Refinement {
-    double tolerance;
+    double tolerance;  ///< 0: as close as the nodes come
     double most_nodes;
     std::size_t exact;  ///< directions besides the nodes
 };
@@ -24,13 +33,14 @@ struct Refinement {
 template <class Solution>
 struct Refined {
     Solution solution;
-    double error;  ///< above the tolerance where the nodes were not enough
+    double error;
+    bool enough;  ///< to the tolerance, or as asked
 };
 
 /// solve(nodes, after_part) solves once; compare(solution, coarser one) returns the error.
 template <class Solve, class Compare>
-auto refine(const Refinement& wanted, const AfterPart& after_part, const Solve& solve,
-            const Compare& compare)
+auto refine(const Refinement& wanted, const AfterPart& after_part, const GoesOn& goes_on,
+            const Solve& solve, const Compare& compare)
 {
     constexpr double first = 24, step = std::numbers::sqrt2;
     const auto exact = static_cast<double>(wanted.exact);
@@ -54,8 +64,10 @@ auto refine(const Refinement& wanted, const AfterPart& after_part, const Solve& 
     for (double nodes = first;; nodes *= step) {
         auto solution = solve_with(nodes);
         const double error = compare(solution, coarse);
-        if (error <= wanted.tolerance || nodes * step > wanted.most_nodes)
-            return Refined<decltype(coarse)>{std::move(solution), error};
+        const bool reached = error <= wanted.tolerance, last_one = nodes * step > wanted.most_nodes;
+        if (reached || last_one || !goes_on(cost(nodes * step) / cost(nodes)))
+            return Refined<decltype(coarse)>{std::move(solution), error,
+                                             reached || !last_one || wanted.tolerance == 0};
         last = enough(nodes, error);
         coarse = std::move(solution);
     }
