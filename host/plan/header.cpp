@@ -7,23 +7,16 @@
 #include <algorithm>
 #include <set>
 
-#include "compute/horizon.hpp"
 #include "output/table_json.hpp"
 #include "plan/fitted_grid.hpp"
+#include "plan/grid_header.hpp"
 #include "plan/integral_axes.hpp"
+#include "plan/lobe_names.hpp"
 #include "quadrature/derived.hpp"
 #include "version.hpp"
 
 namespace gonio {
 namespace {
-
-/// The parameters that a name stands for: two for a common name.
-std::vector<std::string> parameters_of(const Model& model, const std::string& name)
-{
-    const auto both = std::ranges::find(model.both, name, &Both::alias);
-    if (both == model.both.end()) return {name};
-    return {std::string(both->first), std::string(both->second)};
-}
 
 Attribute attribute(const std::vector<double>& numbers)
 {
@@ -73,30 +66,6 @@ private:
     std::vector<std::pair<std::string, Attribute>> all_;
 };
 
-/// Cells of a grid of angles theta_i and theta_o with one of them at exactly 90 deg.
-std::size_t cells_at_the_horizon(const Grid& grid)
-{
-    std::size_t cells = 1, above = 1;
-    for (const Axis& axis : grid.axes) {
-        const bool polar = axis.name == "theta_i" || axis.name == "theta_o";
-        const bool ends_there = polar && axis.values.back() == 90;
-        cells *= axis.values.size();
-        above *= axis.values.size() - (ends_there ? 1 : 0);
-    }
-    return cells - above;
-}
-
-/// In place of what the attribute was, or behind all others.
-void put(TableHeader& header, std::string_view name, double value)
-{
-    const auto found = std::ranges::find(header.attributes, name,
-                                         [](const auto& attribute) { return attribute.first; });
-    if (found == header.attributes.end())
-        header.attributes.emplace_back(name, value);
-    else
-        found->second = value;
-}
-
 std::string conversion_text(const Job& job)
 {
     const bool printed = std::ranges::any_of(
@@ -107,62 +76,10 @@ std::string conversion_text(const Job& job)
 
 }  // namespace
 
-std::string grid_name(GridKind kind)
-{
-    switch (kind) {
-        case GridKind::isotropic:
-            return "isotropic";
-        case GridKind::anisotropic:
-            return "anisotropic";
-        default:
-            return "rusinkiewicz";
-    }
-}
-
-std::string directions_text(GridKind kind)
-{
-    switch (kind) {
-        case GridKind::isotropic:
-            return "normal +z; light at (theta_i, azimuth 0), viewer at (theta_o, azimuth "
-                   "delta_phi): "
-                   "delta_phi = 180 deg is the mirror direction";
-        case GridKind::anisotropic:
-            return "normal +z, tangent +x; light at (theta_i, phi_i), viewer at (theta_o, phi_o), "
-                   "azimuths from +x towards +y";
-        default:
-            return "normal +z; half vector at (theta_h, azimuth 0), light at (theta_d, phi_d) in "
-                   "its "
-                   "frame (Rusinkiewicz, EGWR 1998); 0 where light or viewer is below the horizon";
-    }
-}
-
 std::string storage_text(const Job& job)
 {
     if (job.format != "exr") return job.format;
     return fmt::format("exr, {}, {}", job.write.half ? "half" : "float", job.write.compression);
-}
-
-std::vector<std::string> lobe_prefixes(const std::vector<Lobe>& lobes)
-{
-    if (lobes.size() == 1) return {""};
-    std::vector<std::string> prefixes;
-    for (std::size_t k = 0; k < lobes.size(); ++k) {
-        const auto same = [&](const Lobe& lobe) { return lobe.model == lobes[k].model; };
-        const auto earlier = std::ranges::count_if(
-            lobes.begin(), lobes.begin() + static_cast<std::ptrdiff_t>(k), same);
-        const bool single = std::ranges::count_if(lobes, same) == 1;
-        prefixes.push_back(single ? fmt::format("{}.", lobes[k].model->id)
-                                  : fmt::format("{}_{}.", lobes[k].model->id, earlier + 1));
-    }
-    return prefixes;
-}
-
-Axis sweep_axis(const Sweep& sweep, const std::vector<Lobe>& lobes)
-{
-    const Model& model = *lobes[sweep.part].model;
-    const auto index = model.index_of(parameters_of(model, sweep.parameter).front());
-    const auto unit = index == Model::npos ? "1" : std::string(model.parameters[index].unit);
-    return {lobe_prefixes(lobes)[sweep.part] + sweep.parameter, unit, sweep.values, Samples::node};
 }
 
 TableHeader make_header(const Job& job, const TableRequest& request,
@@ -230,28 +147,6 @@ TableHeader make_header(const Job& job, const TableRequest& request,
     }
     header.attributes = attributes.all();
     return header;
-}
-
-void count_horizon(Job& job)
-{
-    if (!touches_horizon(job.grid)) return;
-    std::size_t poles = 0;
-    for (const Material& material : job.materials)
-        poles += count_poles(make_reference(material, job.measure), job.grid,
-                             job.header.channels.size());
-    put(job.header, "horizon.without_limit", static_cast<double>(poles));
-}
-
-void set_grid(Job& job, const Grid& grid, double interpolation_error)
-{
-    job.grid = grid;
-    job.interpolation_error = interpolation_error;
-    TableHeader& header = job.header;
-    std::ranges::copy(grid.axes, header.axes.end() - std::ssize(grid.axes));
-    put(header, "interpolation.error", interpolation_error);
-    if (const auto cells = cells_at_the_horizon(grid); cells != 0)
-        put(header, "horizon.cells", static_cast<double>(cells));
-    count_horizon(job);
 }
 
 std::string definition(const Job& job)

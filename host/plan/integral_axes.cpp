@@ -9,7 +9,7 @@
 
 #include "gonio/errors.hpp"
 #include "grid/angles.hpp"
-#include "plan/header.hpp"
+#include "plan/lobe_names.hpp"
 
 namespace gonio {
 namespace {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "plan/grid_header.hpp"
 #include "plan/header.hpp"
 #include "version.hpp"
 

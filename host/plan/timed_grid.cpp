@@ -9,7 +9,7 @@
 #include "gonio/errors.hpp"
 #include "plan/batch.hpp"
 #include "plan/fitted_grid.hpp"
-#include "plan/header.hpp"
+#include "plan/grid_header.hpp"
 #include "plan/interrupt.hpp"
 #include "stopwatch.hpp"
 

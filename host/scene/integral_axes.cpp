@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "gonio/model.hpp"
-#include "plan/header.hpp"
+#include "plan/lobe_names.hpp"
 #include "scene/document.hpp"
 #include "scene/table.hpp"
 

@@ -7,12 +7,12 @@ import math
 import pathlib
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
+from gonio_case import GONIO, GonioCase
+
+
 CASES = pathlib.Path(__file__).parents[2] / "bench/scenes/mcml.mci"
 
 # Adding-doubling of this project; the slab: van de Hulst 1980, table 35, 0.09739 and 0.66096.
@@ -58,19 +58,10 @@ class Mco:
         return self.blocks[name]
 
 
-class Mcml(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.at = pathlib.Path(folder.name)
-
+class Mcml(GonioCase):
     def photon(self, text, *words, code=0):
         (self.at / "in.mci").write_text(text)
-        done = subprocess.run(
-            [GONIO, "photon", "in.mci", *words], cwd=self.at, text=True, capture_output=True
-        )
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stderr if code else done.stdout
+        return self.gonio("photon", "in.mci", *words, code=code)
 
     def test_goes_on_after_an_interruption(self):
         # Some seconds of work, in folders of their own.

@@ -4,16 +4,15 @@
 
 import json
 import os
-import pathlib
 import pty
 import signal
 import struct
 import subprocess
-import sys
-import tempfile
 import unittest
 
-GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
+from gonio_case import GONIO, GonioCase
+
+
 SCENE = """
 [[material]]
 name = "grey"
@@ -28,18 +27,13 @@ light = [{{ kind = "{kind}", towards = [0, 0, 1], irradiance = 1 }}]
 """
 
 
-class Picture(unittest.TestCase):
+class Picture(GonioCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.at = pathlib.Path(self.folder.name)
+        super().setUp()
         (self.at / "a.obj").write_text("v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n")
 
-    def gonio(self, *words, code=0):
-        done = subprocess.run([GONIO, "picture", *words], cwd=self.at, text=True,
-                              capture_output=True)
-        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
-        return done.stderr if code else done.stdout
+    def picture(self, *words, code=0):
+        return self.gonio("picture", *words, code=code)
 
     def scene(self, mesh="a.obj", material="grey", kind="directional"):
         text = SCENE.format(mesh=mesh, material=material, kind=kind)
@@ -47,13 +41,13 @@ class Picture(unittest.TestCase):
         return "scene.toml"
 
     def test_both_formats_and_the_same_bytes_again(self):
-        self.assertEqual(self.gonio(self.scene(), "-o", "a.png", "-o", "a.exr"), "a.png\na.exr\n")
+        self.assertEqual(self.picture(self.scene(), "-o", "a.png", "-o", "a.exr"), "a.png\na.exr\n")
         first = [(self.at / name).read_bytes() for name in ("a.png", "a.exr")]
-        self.gonio("scene.toml", "-o", "a.png", "-o", "a.exr", "--width", "1")
+        self.picture("scene.toml", "-o", "a.png", "-o", "a.exr", "--width", "1")
         self.assertEqual([(self.at / name).read_bytes() for name in ("a.png", "a.exr")], first)
 
     def test_the_size_keeps_the_shape_and_the_scene_gives_the_name(self):
-        self.assertEqual(self.gonio(self.scene(), "--size", "40"), "scene.png\n")
+        self.assertEqual(self.picture(self.scene(), "--size", "40"), "scene.png\n")
         header = (self.at / "scene.png").read_bytes()[16:24]
         self.assertEqual(struct.unpack(">II", header), (80, 40))
 
@@ -65,19 +59,20 @@ class Picture(unittest.TestCase):
                 ("scene.toml:11:19: `kind` cannot be \"directinal\"; did you mean `directional`",
                  {"kind": "directinal"}),
                 ("scene.toml:11:30: unknown key `towards`", {"kind": "uniform"})):
-            self.assertIn(message, self.gonio(self.scene(**scene), "-o", "a.png", code=2))
+            self.assertIn(message, self.picture(self.scene(**scene), "-o", "a.png", code=2))
         (self.at / "a.obj").write_text("v 1 2 three\n")
-        self.assertIn("a.obj:1: `v` needs three", self.gonio(self.scene(), "-o", "a.png", code=2))
-        self.assertIn(".exr and .png", self.gonio(self.scene(), "-o", "a.jpg", code=2))
+        self.assertIn("a.obj:1: `v` needs three", self.picture(self.scene(), "-o", "a.png", code=2))
+        self.assertIn(".exr and .png", self.picture(self.scene(), "-o", "a.jpg", code=2))
         self.assertEqual(list(self.at.glob("a.[pe]*")), [])
 
     def test_a_sheet_holds_several_scenes(self):
         self.scene()
-        self.assertEqual(self.gonio("scene.toml", "scene.toml", "--sheet", "two.png"), "two.png\n")
+        made = self.picture("scene.toml", "scene.toml", "--sheet", "two.png")
+        self.assertEqual(made, "two.png\n")
         width, height = struct.unpack(">II", (self.at / "two.png").read_bytes()[16:24])
         self.assertGreater(width, 2 * 32)
         self.assertGreater(height, 16)
-        self.assertIn("--sheet", self.gonio("scene.toml", "scene.toml", "-o", "a.png", code=2))
+        self.assertIn("--sheet", self.picture("scene.toml", "scene.toml", "-o", "a.png", code=2))
 
     def interrupted_at(self, step, *words):
         """Ctrl-C as soon as the line of progress tells of a step; returns that line."""
@@ -121,17 +116,17 @@ class Picture(unittest.TestCase):
         (self.at / "layers.toml").write_text(
             SCENE.replace('model = "lambert"', "layers = [{{ mua = 1, mus = 100 }}]").format(
                 mesh="a.obj", material="grey", kind="directional"))
-        self.gonio("layers.toml", "-o", "a.png")
+        self.picture("layers.toml", "-o", "a.png")
         swept = (self.at / "layers.toml").read_text().replace(
             "mua = 1", "mua = {{ values = [1, 2] }}".format())
         (self.at / "swept.toml").write_text(swept)
         self.assertIn("swept.toml:2:1: material `grey` has sweeps; a picture shows one value",
-                      self.gonio("swept.toml", code=2))
+                      self.picture("swept.toml", code=2))
 
     def test_a_scene_without_a_picture(self):
         (self.at / "none.toml").write_text("[[material]]\nname = 'a'\nmodel = 'lambert'\n"
                                            "[[table]]\nquantity = 'mean_albedo'\n")
-        self.assertIn("has no [picture]", self.gonio("none.toml", code=2))
+        self.assertIn("has no [picture]", self.picture("none.toml", code=2))
 
 
 if __name__ == "__main__":

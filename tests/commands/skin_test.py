@@ -3,28 +3,15 @@
 """skin_test.py GONIO: what a user sees of `gonio skin` and `gonio models --skin`."""
 
 import json
-import pathlib
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
+from gonio_case import GONIO, GonioCase
 
 
-class Skin(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.at = pathlib.Path(self.folder.name)
-
-    def gonio(self, *words, code=0):
-        done = subprocess.run([GONIO, *words], cwd=self.at, text=True, capture_output=True)
-        self.assertEqual(done.returncode, code, f"{words}: {done.stdout}{done.stderr}")
-        return done.stderr if code else done.stdout
-
+class Skin(GonioCase):
     def test_models_are_listed(self):
         models = json.loads(self.gonio("models", "--skin", "--json"))["skin_models"]
         self.assertEqual(len(models), 7)
