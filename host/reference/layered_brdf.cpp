@@ -52,12 +52,12 @@ public:
                 fading = !add(*mode);
         }
         const SingleScattering once(medium_, directions_);
-        const auto& [theta_i, theta_o, delta_phi] = angles_;
-        const std::size_t stride = theta_o.size() * delta_phi.size();
-        in_parallel(theta_i.size(), [&](std::size_t i) {
+        const std::size_t stride = angles_.theta_o.size() * angles_.delta_phi.size();
+        in_parallel(angles_.theta_i.size(), [&](std::size_t i) {
             auto value = brdf_.values.begin() + static_cast<std::ptrdiff_t>(i * stride);
-            for (const double out : theta_o)
-                for (const double phi : delta_phi) *value++ += once(theta_i[i], out, phi);
+            for (const double out : angles_.theta_o)
+                for (const double phi : angles_.delta_phi)
+                    *value++ += once(angles_.theta_i[i], out, phi);
             slabs_.tell();
         });
         return std::move(brdf_);
