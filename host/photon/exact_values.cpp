@@ -65,8 +65,8 @@ std::pair<reference::LayeredSolution, ExactValues> solve(const LightJob& light,
     auto solution = reference::solve_layers_to(light.medium, request, tolerance(light, otherwise),
                                                time.told(after_part), std::ref(time));
     const double error = std::max(solution.error, solution.angular_error);
-    const int nodes = solution.nodes;
-    return {std::move(solution), {{}, nodes, error}};
+    ExactValues result{{}, solution.nodes, error};
+    return {std::move(solution), std::move(result)};
 }
 
 ExactValues budget(const LightJob& light, const AfterPart& after_part)
