@@ -64,6 +64,8 @@ void print(const CompressOptions& options, const Lobe& lobe, const Table& table,
 
 void compress_file(const CompressOptions& options)
 {
+    if (!(options.error >= 0 && options.error <= 0.5))
+        throw UsageError(fmt::format("--error is {}; allowed is 0 to 0.5", options.error));
     const std::string format = format_of_name(options.output);
     const Table table = read_residual_table(options.table);
     write_table(options.output, format, compress(table, options.table, options.error));
@@ -85,8 +87,7 @@ void add_compress(CLI::App& app)
     verb->add_option("-o,--output", options->output, "file: .exr, or .npy, which is not packed")
         ->required();
     verb->add_option("--error", options->error,
-                     "relative error of f that rounding the residual may cause")
-        ->check(CLI::Range(0.0, 0.5));
+                     "relative error of f that rounding the residual may cause");
     verb->add_flag("--json", options->json, "Print JSON");
     verb->callback([options] { compress_file(*options); });
 }

@@ -109,6 +109,10 @@ void read_light_request(const Section& table, TableRequest& request)
             fmt::format("the quantity `{}` has no `time`: its numbers are searched for, each until "
                         "it is exact",
                         quantity.id));
+    if (const auto error = table.find("max_error"); error && quantity.id == "mean_path")
+        error->fail(
+            "the quantity `mean_path` has no `max_error`: it is as exact as it can be, and its "
+            "error is beside it");
     for (const auto key : {"photons", "seed"})
         if (const auto value = table.find(key))
             value->fail(

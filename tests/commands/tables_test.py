@@ -159,6 +159,9 @@ class Tables(GonioCase):
                 self.assertIn(f"gonio: {name}: ", message)
                 self.assertIn("a residual is a table over theta_h, theta_d, phi_d", message)
         self.assertIn(".npy", self.gonio("compress", "a.exr", "-o", "b.csv", code=2))
+        for error in ("nan", "0.6"):
+            message = self.gonio("compress", "a.exr", "-o", "b.exr", "--error", error, code=2)
+            self.assertIn(f"--error is {error}; allowed is 0 to 0.5", message)
         self.assertFalse((self.at / "b.exr").exists())
 
     def test_the_same_request_gives_the_same_bytes(self):

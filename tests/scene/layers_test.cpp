@@ -81,6 +81,9 @@ TEST(SceneOfLayers, RefusesWhatDoesNotFit)
     EXPECT_EQ(refusal(forearm + "quantity = \"mean_path\"\ntime = @5\n"),
               "the quantity `mean_path` has no `time`: its numbers are searched for, each until it "
               "is exact");
+    EXPECT_EQ(refusal(forearm + "quantity = \"mean_path\"\nmax_error = @0.1\n"),
+              "the quantity `mean_path` has no `max_error`: it is as exact as it can be, and its "
+              "error is beside it");
     EXPECT_EQ(refusal(forearm + "quantity = \"light_budget\"\nphotons = @10\n"),
               "`photons` is for solver = \"monte_carlo\", not adding_doubling, which has no noise");
 }
