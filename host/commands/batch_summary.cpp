@@ -138,7 +138,7 @@ void print_estimate(const Device& device, const std::vector<Job>& jobs)
 {
     // Between the cheapest and the dearest models of the catalogue: half of what the device can
     // store.
-    fmt::print("{}", estimate_text(jobs, 0.5 * stored_values_per_second(device)));
+    fmt::print("{}", estimate_text(jobs, estimates(jobs, 0.5 * stored_values_per_second(device))));
 }
 
 }  // namespace gonio

@@ -14,6 +14,7 @@
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/explain.hpp"
+#include "plan/photon_forecast.hpp"
 #include "plan/timed_grid.hpp"
 
 namespace gonio {
@@ -35,7 +36,10 @@ nlohmann::ordered_json json_of(const std::vector<LeftOut>& left_out)
     return array;
 }
 
-nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estimate& cost)
+using Forecast = std::optional<PhotonForecast>;
+
+nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estimate& cost,
+                               const Forecast& forecast)
 {
     nlohmann::ordered_json json{{"file", job.path.string()},
                                 {"quantity", job.header.quantity},
@@ -54,6 +58,10 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
     else if (job.header.find("interpolation.error"))
         json["interpolation_error"] = job.interpolation_error;
     if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
+    if (forecast) {
+        json["photons"] = forecast->photons;
+        json["error"] = forecast->error;
+    }
     return json;
 }
 
@@ -64,7 +72,7 @@ void print(const std::vector<LeftOut>& left_out)
                    saving ? fmt::format(" ({:.3g} times the work)", *saving) : "");
 }
 
-void print(const Job& job, const JobPlan& plan)
+void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
 {
     const bool number = job.header.axes.empty();
     fmt::print("{}: {}{}, solver {}\n", job.path.string(), job.header.quantity,
@@ -80,6 +88,9 @@ void print(const Job& job, const JobPlan& plan)
                    job.interpolation_error,
                    job.max_error > 0 ? fmt::format("{:.2g} is", job.max_error)
                                      : fmt::format("{} s are", *job.seconds));
+    if (forecast)
+        fmt::print("    about {:.1e} photons, and an error of {:.1e} of the largest value\n",
+                   forecast->photons, forecast->error);
     print(plan.left_out);
 }
 
@@ -116,9 +127,15 @@ void plan_scene(const PlanOptions& options)
     const Device device = options.device.open();
     const double rate = jobs.empty() ? 0 : 0.5 * stored_values_per_second(device);
     const std::vector<const Job*> twins = equal_jobs(jobs);
+    std::vector<Estimate> costs = estimates(jobs, rate);
     std::vector<JobPlan> plans;
+    std::vector<Forecast> forecasts(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         plans.push_back(explain(device, jobs[k]));
+        if (!plans[k].finished && jobs[k].layers && plans[k].solver == "monte_carlo") {
+            forecasts[k] = forecast(device, jobs[k]);
+            costs[k].seconds = forecasts[k]->seconds;
+        }
         if (const Job* twin = twins[k]; twin != nullptr && !plans[k].finished)
             plans[k].left_out.push_back(
                 {"all of it", fmt::format("it equals {}", twin->path.string()), {}});
@@ -126,14 +143,14 @@ void plan_scene(const PlanOptions& options)
     std::optional<PicturePlan> picture;
     if (scene.picture) picture = explain(device, *scene.picture, scene.materials);
     if (!options.json) {
-        for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k]);
+        for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k], forecasts[k]);
         if (picture) print(*scene.picture, *picture, device.width());
-        if (!jobs.empty()) fmt::print("\n{}", estimate_text(jobs, rate));
+        if (!jobs.empty()) fmt::print("\n{}", estimate_text(jobs, costs));
         return;
     }
     nlohmann::ordered_json json{{"tables", nlohmann::ordered_json::array()}};
     for (std::size_t k = 0; k < jobs.size(); ++k)
-        json["tables"].push_back(json_of(jobs[k], plans[k], estimate(jobs[k], rate)));
+        json["tables"].push_back(json_of(jobs[k], plans[k], costs[k], forecasts[k]));
     if (picture) json["picture"] = json_of(*picture, device.width());
     fmt::print("{}\n", json.dump(2));
 }

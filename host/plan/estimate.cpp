@@ -80,20 +80,29 @@ Estimate estimate(const Job& job, double values_per_second)
                                           : static_cast<double>(cost.values) / values_per_second;
     if (!job.cells.empty()) cost.seconds *= evaluations_of_an_integral;
     if (job.seconds) cost.seconds = *job.seconds;
+    if (job.layers && job.layers->budget.seconds) cost.seconds = *job.layers->budget.seconds;
     return cost;
 }
 
-std::string estimate_text(const std::vector<Job>& jobs, double values_per_second)
+std::vector<Estimate> estimates(const std::vector<Job>& jobs, double values_per_second)
+{
+    std::vector<Estimate> costs;
+    for (const Job& job : jobs) costs.push_back(estimate(job, values_per_second));
+    return costs;
+}
+
+std::string estimate_text(const std::vector<Job>& jobs, const std::vector<Estimate>& costs)
 {
     std::string text;
     Estimate sum;
-    for (const Job& job : jobs) {
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        const Job& job = jobs[k];
         if (job.fit) {
             text += fmt::format("{:<40} as many cells as {} s are enough for\n", job.path.string(),
                                 *job.seconds);
             continue;
         }
-        const Estimate cost = estimate(job, values_per_second);
+        const Estimate& cost = costs[k];
         sum.file_bytes += cost.file_bytes;
         sum.memory_bytes = std::max(sum.memory_bytes, cost.memory_bytes);
         sum.seconds += cost.seconds;

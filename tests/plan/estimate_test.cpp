@@ -51,7 +51,8 @@ TEST(Estimate, BoundsTheMemoryOfALargeTable)
 
 TEST(Estimate, IsALineForEachJobAndTheSum)
 {
-    const auto text = estimate_text({planned("", small), planned("format = \"npy\"", large)}, 1e9);
+    const std::vector<Job> jobs{planned("", small), planned("format = \"npy\"", large)};
+    const auto text = estimate_text(jobs, estimates(jobs, 1e9));
     EXPECT_EQ(std::ranges::count(text, '\n'), 3);
     EXPECT_THAT(text, HasSubstr("tables/steel-brdf.exr"));
     EXPECT_THAT(text, HasSubstr("10 x 20 x 30 x R,G,B"));
