@@ -131,6 +131,14 @@ double largest_error(const std::vector<Fraction>& values)
     return value > 0 ? error / value : 0;
 }
 
+double mean_relative_error(const std::vector<Fraction>& values)
+{
+    double sum = 0;
+    for (const Fraction& one : values)
+        sum += one.mean == 0 ? INFINITY : std::pow(one.error / one.mean, 2);
+    return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 std::uint64_t batch_of(std::uint64_t photons)
 {
     constexpr std::uint64_t batches = 64;

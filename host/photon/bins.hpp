@@ -22,6 +22,8 @@ std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quan
 
 /// The largest error over the largest value; 0 where all values are.
 double largest_error(const std::vector<Fraction>& values);
+/// The root of the mean square of their relative errors; infinite where a value is 0.
+double mean_relative_error(const std::vector<Fraction>& values);
 
 /// The batch for a given number of photons: a power of two, at least 64 of them.
 std::uint64_t batch_of(std::uint64_t photons);

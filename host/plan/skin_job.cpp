@@ -27,7 +27,7 @@ void fill_skin(Job& job, const TableRequest& request, const std::string& materia
     attributes.emplace_back("material", material);
     if (traced) {
         job.profile = profile_request(request);
-        job.must_reach = job.profile->max_error.has_value();
+        job.must_reach = job.profile->max_error || job.profile->ring_error;
         if (job.profile->seconds)
             *job.profile->seconds /= static_cast<double>(sets_of(task).size());
     }

@@ -35,13 +35,15 @@ void read_profile_request(const Section& table, const Skin& skin, TableRequest& 
     std::vector<std::string_view> keys = {"material",  "name",        "quantity", "axes",
                                           "solver",    "photons",     "seed",     "format",
                                           "precision", "compression", "time"};
-    if (spectrum) keys.emplace_back("max_error");
+    if (spectrum) keys.insert(keys.end(), {"max_error", "ring_error"});
     table.allow(keys);
     if (const auto seed = table.find("seed"))
         request.seed = seed->count(0, std::numeric_limits<std::int64_t>::max());
     // Photons of a wavelength have numbers of 48 bits.
     if (const auto photons = table.find("photons"))
         request.budget.photons = photons->count(2, std::uint64_t{1} << 48);
+    if (const auto error = table.find("ring_error"))
+        request.budget.ring_error = error->number(0, 1);
     if (spectrum || request.quantity->id == "profile_rgb") read_bins(table, request);
     if (spectrum) check_wavelengths(table.at("axes"), skin, request.axes[0]);
     if (request.quantity->id != "preintegrated_rgb") return;

@@ -35,6 +35,9 @@ Budget read_budget(const Section& table)
 /// Refuses what the solver of this quantity cannot use.
 void check_solver(const Section& table, const TableRequest& request)
 {
+    if (const auto error = table.find("ring_error");
+        error && request.quantity->of != Substance::skin)
+        error->fail("`ring_error` is for `reflectance_r` of skin over wavelengths");
     if (request.quantity->of != Substance::surface) return;
     for (const auto key : {"light", "theta_i", "radius", "seed"})
         if (const auto value = table.find(key))
@@ -163,8 +166,8 @@ std::vector<TableRequest> read_table_requests(const Value& value,
 {
     const Section table(value);
     table.allow({"material", "name", "quantity", "grid", "axes", "light", "theta_i", "radius",
-                 "seed", "solver", "max_error", "time", "photons", "format", "precision",
-                 "compression"});
+                 "seed", "solver", "max_error", "ring_error", "time", "photons", "format",
+                 "precision", "compression"});
     if (const auto material = table.find("material"))
         return {read_request(table, find_material(*material, materials), materials, storage)};
     std::vector<TableRequest> requests;

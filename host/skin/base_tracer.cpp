@@ -28,7 +28,8 @@ BaseTracer::BaseTracer(const Device& device, const std::vector<SpectralBase>& ba
                        std::size_t number, const ProfileRequest& request,
                        const nlohmann::ordered_json& from)
     : most_(request.photons),
-      fixed_(request.max_error || request.seconds ? no_limit : request.photons),
+      fixed_(request.max_error || request.ring_error || request.seconds ? no_limit
+                                                                        : request.photons),
       seconds_(request.seconds.value_or(INFINITY) / static_cast<double>(bases.size())),
       tracer_(device, bases[number].medium, photon_request(bases[number], number, request))
 {

@@ -79,9 +79,10 @@ ProfileRequest profile_request(const TableRequest& request)
     ProfileRequest wanted{.seed = request.seed};
     wanted.photons = request.budget.photons.value_or(wanted.photons);
     wanted.max_error = request.budget.max_error;
+    wanted.ring_error = request.budget.ring_error;
     wanted.seconds = request.budget.seconds;
-    if ((wanted.max_error || wanted.seconds) && !request.budget.photons)
-        wanted.photons = most_photons;
+    const bool open_ended = wanted.max_error || wanted.ring_error || wanted.seconds;
+    if (open_ended && !request.budget.photons) wanted.photons = most_photons;
     if (request.quantity->id != "preintegrated_rgb") {
         const Axis& rings = request.axes.back();
         wanted.rings = rings.values.size();
@@ -106,6 +107,7 @@ TableHeader profile_header(const SkinTask& task, const TableRequest& request)
     if (wanted.photons < most_photons)
         all.emplace_back("photons", static_cast<double>(wanted.photons));
     if (wanted.max_error) all.emplace_back("max_error", *wanted.max_error);
+    if (wanted.ring_error) all.emplace_back("ring_error", *wanted.ring_error);
     if (wanted.seconds) {
         all.emplace_back("time", *wanted.seconds);
         all.emplace_back("time.unit", std::string("s"));

@@ -79,9 +79,9 @@ private:
     std::vector<double> squares_;
 };
 
-/// The largest of all wavelengths.
-double largest_error(const PhotonResult& found, std::size_t wavelengths,
-                     const ProfileRequest& request)
+/// Errors over those that are asked for; of all wavelengths the largest.
+double times_wanted(const PhotonResult& found, std::size_t wavelengths,
+                    const ProfileRequest& request)
 {
     double largest = 0;
     for (std::size_t k = 0; k < wavelengths; ++k) {
@@ -91,7 +91,10 @@ double largest_error(const PhotonResult& found, std::size_t wavelengths,
             const Fraction& light = found.spectrum[ring * wavelengths + k];
             densities.push_back({light.mean / area, light.error / area});
         }
-        largest = std::max(largest, gonio::largest_error(densities));
+        if (request.max_error)
+            largest = std::max(largest, largest_error(densities) / *request.max_error);
+        if (request.ring_error)
+            largest = std::max(largest, mean_relative_error(densities) / *request.ring_error);
     }
     return largest;
 }
@@ -102,7 +105,9 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
                               const std::vector<double>& wavelengths, const ProfileRequest& request,
                               const nlohmann::ordered_json& from, const AfterLaunch& after_launch)
 {
-    const auto bases = spectral_bases(media_of(skin, wavelengths));
+    const double reach = request.width * static_cast<double>(request.rings);
+    const auto bases = spectral_bases(media_of(skin, wavelengths), request.ring_error ? reach : 0);
+    const bool to_error = request.max_error || request.ring_error;
     Collected all(wavelengths.size(), request.rings);
     RadialSpectrum spectrum{.width = request.width};
     const auto each = static_cast<double>(bases.size());
@@ -110,21 +115,17 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
     for (std::size_t k = 0; k < bases.size(); ++k) {
         BaseTracer tracer(device, bases, k, request, states[k]);
         const auto measured = [&] {
-            return request.max_error && tracer.batches() >= least_batches
-                       ? largest_error(tracer.result(), bases[k].shares.size(), request)
+            return to_error && tracer.batches() >= least_batches
+                       ? times_wanted(tracer.result(), bases[k].shares.size(), request)
                        : std::numeric_limits<double>::infinity();
         };
         double error = measured();
-        const auto enough = [&] { return request.max_error && error <= *request.max_error; };
-        const auto part = [&] {
-            return std::max(tracer.part(),
-                            request.max_error ? std::pow(*request.max_error / error, 2) : 0.0);
-        };
+        const auto part = [&] { return std::max(tracer.part(), std::pow(error, -2)); };
         const auto state = [&] {
             states[k] = tracer.state();
             return states;
         };
-        while (!tracer.has_ended() && !enough()) {
+        while (!tracer.has_ended() && error > 1) {
             tracer.trace_batch([&] {
                 after_launch((static_cast<double>(k) + std::min(part(), 1.0)) / each, state);
             });

@@ -37,10 +37,11 @@ const std::vector<double>& wavelengths_of(const Job& job)
 /// A set's values, and what belongs beside them.
 ordered_json append(Table& table, const RadialSpectrum& spectrum)
 {
-    std::vector<double> errors;
+    std::vector<double> errors, ring_errors;
     for (const auto& rings : spectrum.rings) {
         const auto values = densities(rings, spectrum.width);
         errors.push_back(largest_error(values));
+        ring_errors.push_back(mean_relative_error(values));
         for (const Fraction& value : values) {
             table.values[0].push_back(value.mean);
             table.values[1].push_back(value.error);
@@ -49,7 +50,27 @@ ordered_json append(Table& table, const RadialSpectrum& spectrum)
     return {{"photons_of_bases", spectrum.photons},
             {"kernel_seconds", spectrum.kernel_seconds},
             {"effective_photons", spectrum.effective_photons},
-            {"error_of_largest_value", errors}};
+            {"error_of_largest_value", errors},
+            {"ring_error", ring_errors}};
+}
+
+/// Of all sets and wavelengths.
+double largest_of(const ordered_json& spectra, const std::string& key)
+{
+    double largest = 0;
+    for (const auto& spectrum : spectra)
+        for (const double error : spectrum.at(key)) largest = std::max(largest, error);
+    return largest;
+}
+
+void require(const Job& job, const std::optional<double>& wanted, double reached,
+             const std::string& of_what, std::uint64_t photons)
+{
+    if (!wanted || reached <= *wanted) return;
+    throw RunError(fmt::format(
+        "after {} photons a wavelength the largest error of table `{}` is {:.2g} of {}, "
+        "and not {:.2g}; give it more, or --best-effort",
+        photons, job.name, reached, of_what, *wanted));
 }
 
 }  // namespace
@@ -64,20 +85,18 @@ ordered_json make_radial_table(const Device& device, const Job& job,
     };
     const TracedSets traced = trace_sets(job, after_each, trace);
     std::uint64_t photons = UINT64_MAX;  // that each wavelength sees, at least
-    double seconds = 0, largest = 0;
+    double seconds = 0;
     for (const auto& spectrum : traced.beside) {
-        for (const double error : spectrum.at("error_of_largest_value"))
-            largest = std::max(largest, error);
         for (const std::uint64_t each : spectrum.at("photons_of_bases"))
             photons = std::min(photons, each);
         seconds += spectrum.at("kernel_seconds").get<double>();
     }
-    if (job.must_reach && largest > *job.profile->max_error)
-        throw RunError(
-            fmt::format("after {} photons a wavelength the largest error of table `{}` is {:.2g} "
-                        "of a wavelength's largest "
-                        "value, and not {:.2g}; give it more, or --best-effort",
-                        photons, job.name, largest, *job.profile->max_error));
+    if (job.must_reach) {
+        require(job, job.profile->max_error, largest_of(traced.beside, "error_of_largest_value"),
+                "a wavelength's largest value", photons);
+        require(job, job.profile->ring_error, largest_of(traced.beside, "ring_error"),
+                "the values, in a wavelength's root mean square,", photons);
+    }
     write_table(job.path, job.format, traced.table, job.write);
     return {{"photons", photons}, {"kernel_seconds", seconds}, {"spectra", traced.beside}};
 }

@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "skin/absorption_classes.hpp"
+
 namespace gonio {
 namespace {
 
-constexpr double step = 0.4;     // of the logarithm of reduced scattering
-constexpr std::size_t rule = 4;  // bases that a medium lies between
-
-double reduced_scattering(const Layer& layer)
-{
-    const auto* phase = std::get_if<HenyeyGreenstein>(&layer.phase);
-    return layer.mus * (1 - (phase ? phase->g : 0));
-}
+constexpr double near_step = 0.4;  // of the logarithm of reduced scattering
+constexpr double fine_step = 0.2;  // where relative errors far from the beam count
+constexpr std::size_t rule = 4;    // bases that a medium lies between
 
 double change(double a, double b)
 {
@@ -45,7 +42,7 @@ std::vector<double> places(const std::vector<LayeredMedium>& media)
 }
 
 /// Media at about even distances, both ends included.
-std::vector<std::size_t> nodes(const std::vector<double>& places)
+std::vector<std::size_t> nodes(const std::vector<double>& places, double step)
 {
     if (places.back() == 0) return {0};  // absorption is all that changes
     const auto count = std::max(static_cast<double>(rule), std::ceil(places.back() / step) + 1);
@@ -111,6 +108,12 @@ void set_absorption(SpectralBase& base, const std::vector<LayeredMedium>& media)
 
 }  // namespace
 
+double reduced_scattering(const Layer& layer)
+{
+    const auto* phase = std::get_if<HenyeyGreenstein>(&layer.phase);
+    return layer.mus * (1 - (phase ? phase->g : 0));
+}
+
 std::vector<LayeredMedium> media_of(const Skin& skin, const std::vector<double>& wavelengths)
 {
     std::vector<LayeredMedium> media;
@@ -118,10 +121,10 @@ std::vector<LayeredMedium> media_of(const Skin& skin, const std::vector<double>&
     return media;
 }
 
-std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media)
+std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media, double reach)
 {
     const std::vector<double> place = places(media);
-    const std::vector<std::size_t> chosen = nodes(place);
+    const std::vector<std::size_t> chosen = nodes(place, reach > 0 ? fine_step : near_step);
     std::vector<double> at;
     std::vector<SpectralBase> bases;
     for (const std::size_t node : chosen) {
@@ -129,6 +132,7 @@ std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media
         bases.push_back({media[node], {}, {}});
     }
     for (std::size_t k = 0; k < media.size(); ++k) add_shares(bases, at, k, place[k]);
+    if (reach > 0) bases = split_by_absorption(bases, media, reach);
     for (SpectralBase& base : bases) set_absorption(base, media);
     return bases;
 }

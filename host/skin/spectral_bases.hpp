@@ -28,8 +28,12 @@ struct SpectralBase {
 /// media: the same layers at several wavelengths, in their order. One base where scattering,
 /// indices and thicknesses are the same at all. Else bases where reduced scattering has changed by
 /// half, and interpolation between the four that are nearest (Lagrange, in the logarithm of it); as
-/// many as media if these are few.
-std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media);
+/// many as media if these are few. reach: 0, or where relative errors count, cm: twice as many
+/// bases, and split_by_absorption() of each.
+std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media, double reach = 0);
+
+/// 1/cm
+double reduced_scattering(const Layer& layer);
 
 /// Throws as Skin::layers_at() does. wavelengths: nm.
 std::vector<LayeredMedium> media_of(const Skin& skin, const std::vector<double>& wavelengths);

@@ -34,6 +34,9 @@ struct ProfileRequest {
     /// Of R(r) at each wavelength, the largest standard error over the largest value: fewer photons
     /// may do. Of spectra only.
     std::optional<double> max_error = {};
+    /// The root of the mean over the rings of their squared relative errors, at each wavelength:
+    /// dark wavelengths get photons of their own. Of spectra only.
+    std::optional<double> ring_error = {};
     std::uint64_t seed = 1;
 };
 

@@ -50,6 +50,7 @@ struct Budget {
     std::optional<double> max_error;  ///< of a table's largest value
     std::optional<double> seconds;
     std::optional<std::uint64_t> photons;
+    std::optional<double> ring_error = {};  ///< as in ProfileRequest
 };
 
 /// How a table is stored.

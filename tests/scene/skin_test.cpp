@@ -151,6 +151,11 @@ TEST(SceneOfSkin, IsCheckedBefore)
               "the quantity `profile_rgb` needs axes = { r = { to = …, count = … } }");
     EXPECT_EQ(refusal(arm + "quantity = \"profile_rgb\"\n@max_error = 0.1\n").substr(0, 23),
               "unknown key `max_error`");
+    EXPECT_EQ(refusal(arm + "quantity = \"profile_rgb\"\n@ring_error = 0.1\n").substr(0, 24),
+              "unknown key `ring_error`");
+    EXPECT_EQ(refusal(head + "skin = \"pyxopto\"\nwavelength = 550\n[[table]]\nmaterial = "
+                             "\"arm\"\nquantity = \"light_budget\"\nring_error = @0.1\n"),
+              "`ring_error` is for `reflectance_r` of skin over wavelengths");
     EXPECT_EQ(refusal(arm + "quantity = \"preintegrated_rgb\"\naxes = @{ n_dot_l = { values = "
                             "[-1, 1] }, curvature = { values = [0, 20] } }\n"),
               "`curvature` is 20; allowed is 0 to 10");
@@ -182,6 +187,10 @@ TEST(SceneOfSkin, SpreadsLightOfEachWavelength)
         plan_jobs(parse_scene(arm + axes + "photons = 4096\nmax_error = 1e-4\n", "s.toml"),
                   testing::TempDir())[0];
     EXPECT_THROW(make_profile_table(Device(), strict, [](double) {}), RunError);
+    const Job even =
+        plan_jobs(parse_scene(arm + axes + "ring_error = 0.2\n", "s.toml"), testing::TempDir())[0];
+    const auto spectra = make_profile_table(Device(), even, [](double) {}).at("spectra");
+    for (const double error : spectra[0].at("ring_error")) EXPECT_LE(error, 0.2);
     EXPECT_EQ(
         refusal(arm + "axes = @{ r = { to = 1, count = 9 } }\n"),
         "the quantity `reflectance_r` needs axes = { wavelength = { values = [400, 410, …] }, "
