@@ -160,7 +160,8 @@ void explain_skin(JobPlan& plan, const Device& device, const Job& job)
             return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them",
                              4);
         const auto& wavelengths = (job.header.axes.end() - 2)->values;
-        const std::size_t bases = spectral_bases(media_of(job.skin->skin, wavelengths)).size();
+        const std::size_t bases =
+            spectral_bases(media_of(job.skin->skin, wavelengths), reach_of(*job.profile)).size();
         if (bases == wavelengths.size()) return;
         return leave_out(plan, "photons of their own for each wavelength",
                          fmt::format("on the paths of {} absorption is exchanged", bases),

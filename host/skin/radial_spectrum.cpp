@@ -105,8 +105,7 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
                               const std::vector<double>& wavelengths, const ProfileRequest& request,
                               const nlohmann::ordered_json& from, const AfterLaunch& after_launch)
 {
-    const double reach = request.width * static_cast<double>(request.rings);
-    const auto bases = spectral_bases(media_of(skin, wavelengths), request.ring_error ? reach : 0);
+    const auto bases = spectral_bases(media_of(skin, wavelengths), reach_of(request));
     const bool to_error = request.max_error || request.ring_error;
     Collected all(wavelengths.size(), request.rings);
     RadialSpectrum spectrum{.width = request.width};

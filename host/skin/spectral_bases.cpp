@@ -108,6 +108,11 @@ void set_absorption(SpectralBase& base, const std::vector<LayeredMedium>& media)
 
 }  // namespace
 
+double reach_of(const ProfileRequest& request)
+{
+    return request.ring_error ? request.width * static_cast<double>(request.rings) : 0;
+}
+
 double reduced_scattering(const Layer& layer)
 {
     const auto* phase = std::get_if<HenyeyGreenstein>(&layer.phase);

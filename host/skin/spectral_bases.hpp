@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gonio/layers.hpp"
+#include "gonio/profile.hpp"
 #include "gonio/skin.hpp"
 
 namespace gonio {
@@ -31,6 +32,9 @@ struct SpectralBase {
 /// many as media if these are few. reach: 0, or where relative errors count, cm: twice as many
 /// bases, and split_by_absorption() of each.
 std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media, double reach = 0);
+
+/// The reach of a request, cm.
+double reach_of(const ProfileRequest& request);
 
 /// 1/cm
 double reduced_scattering(const Layer& layer);
