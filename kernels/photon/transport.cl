@@ -130,7 +130,7 @@ kernel void transport(global ulong* restrict tallies, global uint* restrict take
 #if CLEAR_TOP
     p.met_matter = (mask_t)(0);
 #endif
-    p.random = numbered_stream(first, none, seed);
+    p.random = no_stream();
     look_up_layer(&p, equal(p.layer, p.layer), &s);
     while (from.has_more || any_of(is_alive(&p))) {
         if (from.has_more && any_of(not_(is_alive(&p)))) launch(&p, &from, &light, &s);

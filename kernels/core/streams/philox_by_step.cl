@@ -21,6 +21,13 @@ static inline stream numbered_stream(ulong first, word offset, ulong seed)
     return s;
 }
 
+/// Of a lane that has no photon yet.
+static inline stream no_stream(void)
+{
+    const stream none = {{(word)(0), (word)(0), (word)(0), (word)(0)}, 0};
+    return none;
+}
+
 static inline stream choose_stream(mask_t mask, stream yes, stream no)
 {
     const stream s = {choose_words(mask, yes.counter, no.counter), yes.seed};
