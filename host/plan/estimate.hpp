@@ -14,7 +14,7 @@ struct Estimate {
     std::uint64_t values = 0;        ///< cells times channels
     std::uint64_t file_bytes = 0;    ///< before compression
     std::uint64_t memory_bytes = 0;  ///< held by the host while the table is computed
-    double seconds = 0;  ///< nan where only a solver can tell
+    double seconds = 0;              ///< nan where only a solver can tell
 };
 
 /// values_per_second: as measured on the device.

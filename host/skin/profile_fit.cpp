@@ -103,11 +103,12 @@ Weights weigh(const RadialProfile& profile, const std::array<VectorXd, 3>& light
 {
     const MatrixXd shapes = gaussians(profile, variances);
     const Eigen::HouseholderQR<MatrixXd> qr(shapes);
-    const MatrixXd triangle = qr.matrixQR().topRows(terms).triangularView<Eigen::Upper>();
+    const Index known = std::min(terms, shapes.rows());  // few rings leave some terms open
+    const MatrixXd triangle = qr.matrixQR().topRows(known).triangularView<Eigen::Upper>();
     Weights found;
     for (std::size_t c = 0; c < 3; ++c) {
         const VectorXd turned = qr.householderQ().adjoint() * light[c];
-        VectorXd weights = non_negative(triangle, turned.head(terms));
+        VectorXd weights = non_negative(triangle, turned.head(known));
         if (weights.sum() > 0) weights *= std::max(profile.total[c].mean, 0.0) / weights.sum();
         const double norm = light[c].norm();
         found.error[c] = norm > 0 ? (shapes * weights - light[c]).norm() / norm : 0;

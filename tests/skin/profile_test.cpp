@@ -65,6 +65,24 @@ TEST(LightAroundASphere, KnownEnds)
     EXPECT_EQ(around_a_sphere(wide, 1, 1)[2], 0);
 }
 
+// Fewer rings than Gaussians.
+TEST(ProfileFits, OfThreeRings)
+{
+    const auto truth = test::skin_of_gpu_gems();
+    RadialProfile profile{.width = 0.05};
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (int k = 0; k < 3; ++k)
+            profile.rings[c].push_back(
+                {beyond(truth, c, 0.5 * k) - beyond(truth, c, 0.5 * (k + 1)), 0});
+        profile.total[c].mean = beyond(truth, c, 0);
+    }
+    const auto fit = fit_gaussians(profile);
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(beyond(fit.function, c, 0), profile.total[c].mean, 1e-12);
+        EXPECT_LT(fit.error[c], 0.01);
+    }
+}
+
 TEST(ProfileFits, FindGaussiansAgain)
 {
     const auto truth = test::skin_of_gpu_gems();
