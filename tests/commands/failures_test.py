@@ -9,20 +9,7 @@ import subprocess
 import time
 import unittest
 
-from gonio_case import GONIO, GonioCase
-
-SCENE = """[output]
-directory = "tables"
-[[material]]
-name = "m"
-model = "ward"
-[material.parameters]
-alpha = {{ values = [0.1, 0.2, 0.3, 0.4], as = "files" }}
-[[table]]
-material = "m"
-quantity = "brdf"
-grid = {{ kind = "isotropic", theta_i = {n}, theta_o = {n}, delta_phi = 180 }}
-"""
+from gonio_case import GONIO, SWEPT, GonioCase
 
 TWO_TABLES = """[output]
 format = "{format}"
@@ -106,7 +93,7 @@ class Failures(GonioCase):
         return {path.name: path.read_bytes() for path in (self.at / "tables").glob("*.exr")}
 
     def test_a_batch_goes_on_where_it_was_stopped(self):
-        (self.at / "scene.toml").write_text(SCENE.format(n=90))
+        (self.at / "scene.toml").write_text(SWEPT.format(n=90, form="files"))
         self.gonio("run", "scene.toml")
         whole = self.finished()
         self.assertEqual(len(whole), 4)
@@ -136,7 +123,7 @@ class Failures(GonioCase):
             )
 
     def test_plan(self):
-        (self.at / "s.toml").write_text(SCENE.format(n=4))
+        (self.at / "s.toml").write_text(SWEPT.format(n=4, form="files"))
         plan = json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]
         self.assertEqual(plan["solver"], "closed_form")
         self.assertFalse(plan["finished"])

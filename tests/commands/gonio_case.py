@@ -10,6 +10,19 @@ import unittest
 
 GONIO = pathlib.Path(sys.argv.pop(1)).resolve()
 
+SWEPT = """[output]
+directory = "tables"
+[[material]]
+name = "m"
+model = "ward"
+[material.parameters]
+alpha = {{ values = [0.1, 0.2, 0.3, 0.4], as = "{form}" }}
+[[table]]
+material = "m"
+quantity = "brdf"
+grid = {{ kind = "isotropic", theta_i = {n}, theta_o = {n}, delta_phi = 180 }}
+"""
+
 
 class GonioCase(unittest.TestCase):
     def setUp(self):

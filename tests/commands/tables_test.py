@@ -5,20 +5,7 @@
 import json
 import unittest
 
-from gonio_case import GonioCase
-
-SWEPT = """[output]
-directory = "tables"
-[[material]]
-name = "m"
-model = "ward"
-[material.parameters]
-alpha = { values = [0.1, 0.2, 0.3, 0.4], as = "axis" }
-[[table]]
-material = "m"
-quantity = "brdf"
-grid = { kind = "isotropic", theta_i = 8, theta_o = 8, delta_phi = 180 }
-"""
+from gonio_case import SWEPT, GonioCase
 
 
 class Tables(GonioCase):
@@ -118,7 +105,7 @@ class Tables(GonioCase):
         self.gonio("lookup", "text.exr", code=2)
 
     def test_lookup_in_a_swept_table(self):
-        (self.at / "scene.toml").write_text(SWEPT)
+        (self.at / "scene.toml").write_text(SWEPT.format(n=8, form="axis"))
         self.gonio("run", "scene.toml")
         row = "20,0,20,180\n"
         (table,) = (self.at / "tables").glob("*.exr")
