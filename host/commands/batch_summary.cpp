@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "compute/make_table.hpp"
-#include "opencl/store_rate.hpp"
 #include "photon/light_table.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
@@ -136,9 +135,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
 
 void print_estimate(const Device& device, const std::vector<Job>& jobs)
 {
-    // Between the cheapest and the dearest models of the catalogue: half of what the device can
-    // store.
-    fmt::print("{}", estimate_text(jobs, estimates(jobs, 0.5 * stored_values_per_second(device))));
+    fmt::print("{}", estimate_text(jobs, forecasts(device, jobs)));
 }
 
 }  // namespace gonio

@@ -8,13 +8,12 @@
 
 #include "commands/commands.hpp"
 #include "gonio/scene.hpp"
-#include "opencl/store_rate.hpp"
 #include "output/check.hpp"
 #include "picture/explain_picture.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
 #include "plan/explain.hpp"
-#include "plan/photon_forecast.hpp"
+#include "plan/forecast.hpp"
 #include "plan/timed_grid.hpp"
 
 namespace gonio {
@@ -36,11 +35,9 @@ nlohmann::ordered_json json_of(const std::vector<LeftOut>& left_out)
     return array;
 }
 
-using Forecast = std::optional<PhotonForecast>;
-
-nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estimate& cost,
-                               const Forecast& forecast)
+nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Forecast& forecast)
 {
+    const TableSize size = size_of(job);
     nlohmann::ordered_json json{{"file", job.path.string()},
                                 {"quantity", job.header.quantity},
                                 {"solver", plan.solver},
@@ -48,8 +45,8 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
                                 {"definitions", plan.definitions},
                                 {"width", plan.width},
                                 {"cells", job.header.cells()},
-                                {"file_bytes", cost.file_bytes},
-                                {"memory_bytes", cost.memory_bytes},
+                                {"file_bytes", size.file_bytes},
+                                {"memory_bytes", size.memory_bytes},
                                 {"finished", plan.finished},
                                 {"left_out", json_of(plan.left_out)}};
     if (job.seconds) json["time"] = *job.seconds;
@@ -57,10 +54,15 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Estima
         json.erase("cells");
     else if (job.header.find("interpolation.error"))
         json["interpolation_error"] = job.interpolation_error;
-    if (!std::isnan(cost.seconds)) json["seconds"] = cost.seconds;
-    if (forecast) {
-        json["photons"] = forecast->photons;
-        json["error"] = forecast->error;
+    if (plan.tiling)
+        json["tiles"] = {{"count", plan.tiling->tiles * job.materials.size()},
+                         {"bytes", plan.tiling->bytes}};
+    if (!std::isnan(forecast.seconds)) json["seconds"] = forecast.seconds;
+    if (forecast.photons > 0) json["photons"] = forecast.photons;
+    if (!std::isnan(forecast.error)) {
+        json["error"] = forecast.error;
+        json["error_of"] = forecast.error_of;
+        json["error_is_bound"] = forecast.is_bound;
     }
     return json;
 }
@@ -70,6 +72,21 @@ void print(const std::vector<LeftOut>& left_out)
     for (const auto& [what, why, saving] : left_out)
         fmt::print("    left out: {}: {}{}\n", what, why,
                    saving ? fmt::format(" ({:.3g} times the work)", *saving) : "");
+}
+
+/// "about 0.3 s and 2e+04 photons, an error of about 0.01 of the largest value"
+std::string text_of(const Job& job, const Forecast& forecast)
+{
+    if (std::isnan(forecast.seconds)) return "too few photons come this far to tell the time";
+    std::string text = time_text(forecast.seconds);
+    if (!text.starts_with("below")) text = "about " + text;
+    if (forecast.photons > 0)
+        text += fmt::format(" and {:.1e} photons{}", forecast.photons,
+                            job.profile ? " a wavelength" : "");
+    if (std::isnan(forecast.error)) return text;
+    return text + fmt::format(", an error of {} {:.1e} of {}",
+                              forecast.is_bound ? "at most" : "about", forecast.error,
+                              forecast.error_of);
 }
 
 void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
@@ -83,14 +100,15 @@ void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
     if (!plan.kernel.empty())
         fmt::print("    {} at width {}{}{}\n", plan.kernel, plan.width,
                    plan.definitions.empty() ? "" : " with ", fmt::join(plan.definitions, " "));
+    if (plan.tiling)
+        fmt::print("    tiles: {} of {}\n", plan.tiling->tiles * job.materials.size(),
+                   size_text(static_cast<double>(plan.tiling->bytes)));
     if (job.header.find("interpolation.error") && !job.fit)
         fmt::print("    grid: interpolation is off by {:.2g} of the largest value, {} asked\n",
                    job.interpolation_error,
                    job.max_error > 0 ? fmt::format("{:.2g} is", job.max_error)
                                      : fmt::format("{} s are", *job.seconds));
-    if (forecast)
-        fmt::print("    about {:.1e} photons, and an error of {:.1e} of the largest value\n",
-                   forecast->photons, forecast->error);
+    if (!plan.finished) fmt::print("    {}\n", text_of(job, forecast));
     print(plan.left_out);
 }
 
@@ -125,17 +143,11 @@ void plan_scene(const PlanOptions& options)
     std::vector<Job> jobs = plan_jobs(scene, options.output);
     keep_earlier_grids(jobs);
     const Device device = options.device.open();
-    const double rate = jobs.empty() ? 0 : 0.5 * stored_values_per_second(device);
     const std::vector<const Job*> twins = equal_jobs(jobs);
-    std::vector<Estimate> costs = estimates(jobs, rate);
+    const std::vector<Forecast> costs = forecasts(device, jobs);
     std::vector<JobPlan> plans;
-    std::vector<Forecast> forecasts(jobs.size());
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         plans.push_back(explain(device, jobs[k]));
-        if (!plans[k].finished && jobs[k].layers && plans[k].solver == "monte_carlo") {
-            forecasts[k] = forecast(device, jobs[k]);
-            costs[k].seconds = forecasts[k]->seconds;
-        }
         if (const Job* twin = twins[k]; twin != nullptr && !plans[k].finished)
             plans[k].left_out.push_back(
                 {"all of it", fmt::format("it equals {}", twin->path.string()), {}});
@@ -143,14 +155,14 @@ void plan_scene(const PlanOptions& options)
     std::optional<PicturePlan> picture;
     if (scene.picture) picture = explain(device, *scene.picture, scene.materials);
     if (!options.json) {
-        for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k], forecasts[k]);
+        for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k], costs[k]);
         if (picture) print(*scene.picture, *picture, device.width());
         if (!jobs.empty()) fmt::print("\n{}", estimate_text(jobs, costs));
         return;
     }
     nlohmann::ordered_json json{{"tables", nlohmann::ordered_json::array()}};
     for (std::size_t k = 0; k < jobs.size(); ++k)
-        json["tables"].push_back(json_of(jobs[k], plans[k], costs[k], forecasts[k]));
+        json["tables"].push_back(json_of(jobs[k], plans[k], costs[k]));
     if (picture) json["picture"] = json_of(*picture, device.width());
     fmt::print("{}\n", json.dump(2));
 }

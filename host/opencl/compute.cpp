@@ -13,26 +13,12 @@
 #include "compute/horizon.hpp"
 #include "compute/idle_lobes.hpp"
 #include "compute/symmetry.hpp"
+#include "compute/tiling.hpp"
 #include "gonio/errors.hpp"
 #include "opencl/grid_kernel.hpp"
 
 namespace gonio {
 namespace {
-
-/// Rows per tile, within the bound and the device's limits. A reciprocal table needs whole squares
-/// of rows.
-std::size_t rows_per_tile(const DeviceInfo& device, std::size_t row_bytes, std::size_t rows,
-                          std::size_t granule, std::size_t tile_bytes)
-{
-    const std::size_t bound =
-        std::min<std::size_t>({tile_bytes, device.largest_buffer_bytes, device.global_bytes / 4});
-    const std::size_t granules = std::max<std::size_t>(1, bound / (row_bytes * granule));
-    if (row_bytes * granule > device.largest_buffer_bytes)
-        throw UsageError(
-            fmt::format("a row of {} bytes is larger than the device's largest buffer, {} bytes",
-                        row_bytes * granule, device.largest_buffer_bytes));
-    return std::min(rows, granules * granule);
-}
 
 void check_frame(const Material& material, const Grid& grid)
 {
@@ -69,9 +55,8 @@ try {
     GridKernel kernel(device, material, tables,
                       {"", measure, mirrored, reciprocal, handle.width(), options.leave_out});
 
-    const std::size_t granule = reciprocal ? tables.counts[1] : 1;
-    const std::size_t tile = rows_per_tile(device.info, row_size * sizeof(float), tables.rows,
-                                           granule, options.tile_bytes);
+    const std::size_t tile =
+        tiling(device.info, grid, channels, reciprocal, options.tile_bytes).rows;
     ComputeReport report{0,         kernel.build_seconds(), 0, kernel.program().width, mirrored,
                          reciprocal};
     const Reference reference = make_reference(material, measure);

@@ -18,7 +18,6 @@
 namespace gonio {
 namespace {
 
-constexpr double preset_error = 1e-6;
 constexpr int few_nodes = 16, most_nodes = 512;
 
 /// A half-space by x = ln(s / (1 - s)), s^2 = (1 - alpha) / (1 - alpha g): reflectance is nearly
@@ -153,7 +152,7 @@ ExactValues invert_albedos(const LightJob& light, const Axis& albedos,
                            const reference::AfterPart& after_part)
 {
     const HalfSpace half_space(light);
-    const double tolerance = light.budget.max_error.value_or(preset_error);
+    const double tolerance = tolerance_of(light);
     ExactValues result{std::vector<Fraction>(albedos.values.size()), 0};
     std::mutex guard;
     double done = 0;

@@ -22,13 +22,19 @@ namespace {
 using reference::AfterPart;
 using std::numbers::pi;
 
-constexpr double budget_tolerance = 1e-6;
-constexpr double angular_tolerance = 1e-4;  // of the largest value
-constexpr double brdf_tolerance = 1e-3;
+/// A quantity's largest error if nobody asks for one, and what it is a part of.
+struct Preset {
+    double error;
+    const char* of;
+};
 
-double tolerance(const LightJob& light, double otherwise)
+Preset preset_of(std::string_view quantity)
 {
-    return light.budget.max_error.value_or(light.budget.seconds ? 0 : otherwise);
+    if (quantity == "brdf") return {1e-3, "the largest value"};
+    if (quantity.ends_with("_alpha")) return {1e-4, "the largest value"};
+    if (quantity == "single_scattering_albedo") return {1e-6, "the albedo 1"};
+    if (quantity == "mean_path") return {1e-5, "each value"};
+    return {1e-6, "the light"};
 }
 
 /// Whether a further solution is done in time.
@@ -58,11 +64,10 @@ private:
 /// The solution, and no values yet.
 std::pair<reference::LayeredSolution, ExactValues> solve(const LightJob& light,
                                                          const reference::LightRequest& request,
-                                                         double otherwise,
                                                          const AfterPart& after_part)
 {
     InTime time(light);
-    auto solution = reference::solve_layers_to(light.medium, request, tolerance(light, otherwise),
+    auto solution = reference::solve_layers_to(light.medium, request, tolerance_of(light),
                                                time.told(after_part), std::ref(time));
     const double error = std::max(solution.error, solution.angular_error);
     ExactValues result{{}, solution.nodes, error};
@@ -71,8 +76,7 @@ std::pair<reference::LayeredSolution, ExactValues> solve(const LightJob& light,
 
 ExactValues budget(const LightJob& light, const AfterPart& after_part)
 {
-    auto [solution, result] =
-        solve(light, {.incidence = {light.light.incidence}}, budget_tolerance, after_part);
+    auto [solution, result] = solve(light, {.incidence = {light.light.incidence}}, after_part);
     for (const double part : parts_of(solution.under(light.light).budget))
         result.values.push_back({part, solution.error});
     return result;
@@ -85,7 +89,7 @@ double albedo(const reference::LightBudget& budget)
 
 ExactValues mean_albedo(const LightJob& light, const AfterPart& after_part)
 {
-    auto [solution, result] = solve(light, {}, budget_tolerance, after_part);
+    auto [solution, result] = solve(light, {}, after_part);
     result.values = {{albedo(solution.diffuse.budget), solution.error}};
     return result;
 }
@@ -95,7 +99,7 @@ ExactValues directional_albedo(const LightJob& light, const Axis& cosines,
 {
     reference::LightRequest request;
     for (const double mu : cosines.values) request.incidence.push_back(std::acos(mu));
-    auto [solution, result] = solve(light, request, budget_tolerance, after_part);
+    auto [solution, result] = solve(light, request, after_part);
     for (const reference::Illumination& one : solution.collimated)
         result.values.push_back({albedo(one.budget), solution.error});
     return result;
@@ -111,7 +115,7 @@ ExactValues brdf(const LightJob& light, const std::vector<Axis>& axes, const Aft
     InTime time(light);
     const auto brdf = reference::layered_brdf_to(
         light.medium, radians(axes[0], 0), radians(axes[1], 0), radians(axes[2], 180),
-        tolerance(light, brdf_tolerance), time.told(after_part), std::ref(time));
+        tolerance_of(light), time.told(after_part), std::ref(time));
     ExactValues result{{}, brdf.nodes, brdf.error / std::ranges::max(brdf.values)};
     // Where next to nothing is scattered the sum over modes may fall below 0 within its error.
     for (const double value : brdf.values)
@@ -174,7 +178,7 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha, const AfterPart& 
     exits.insert(exits.end(), fine.angles.begin(), fine.angles.end());
     reference::LightRequest request{.incidence = {light.light.incidence}};
     (up ? request.exit_above : request.exit_below) = exits;
-    auto [solution, result] = solve(light, request, angular_tolerance, after_part);
+    auto [solution, result] = solve(light, request, after_part);
     const reference::Illumination& found = solution.under(light.light);
     const Eigen::VectorXd& intensity = up ? found.reflected : found.transmitted;
     const double error =
@@ -194,6 +198,17 @@ ExactValues by_angle(const LightJob& light, const Axis& alpha, const AfterPart& 
 }
 
 }  // namespace
+
+double tolerance_of(const LightJob& light)
+{
+    const double preset = light.budget.seconds ? 0 : preset_of(light.quantity->id).error;
+    return light.budget.max_error.value_or(preset);
+}
+
+const char* error_of(const LightJob& light)
+{
+    return preset_of(light.quantity->id).of;
+}
 
 ExactValues exact_values(const LightJob& light, const std::vector<Axis>& axes,
                          const AfterPart& after_part)

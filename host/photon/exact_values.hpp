@@ -10,6 +10,13 @@
 
 namespace gonio {
 
+/// The largest error that a job's values have: its max_error, or where it has none what the
+/// quantity is computed to, mean paths about; 0 where a time alone ends the work.
+double tolerance_of(const LightJob& light);
+
+/// What those errors are a part of: "the light".
+const char* error_of(const LightJob& light);
+
 struct ExactValues {
     std::vector<Fraction> values;  ///< in the order of the table; error: a bound
     int nodes = 0;                 ///< quadrature directions that it took

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sizes and times of jobs, and whether the disk has room for them.
+// How large the tables of jobs will be, and whether there is room for them.
 #include "plan/estimate.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <system_error>
 
@@ -18,9 +17,8 @@
 namespace gonio {
 namespace {
 
-constexpr std::uint64_t csv_number = 12;  // characters that a number takes, about
-constexpr std::uint64_t merl_value = 8;   // double
-constexpr double evaluations_of_an_integral = 1000;
+constexpr std::uint64_t csv_number = 12;      // characters that a number takes, about
+constexpr std::uint64_t merl_value = 8;       // double
 constexpr std::uint64_t tiles_in_memory = 2;  // one is computed while one is written
 
 std::uint64_t file_bytes(const Job& job, std::uint64_t values)
@@ -32,28 +30,12 @@ std::uint64_t file_bytes(const Job& job, std::uint64_t values)
     return cells * (job.header.axes.size() + job.header.channels.size()) * csv_number;
 }
 
-std::string size_text(double bytes)
-{
-    for (const auto unit : {"B", "KiB", "MiB", "GiB"}) {
-        if (bytes < 1024) return fmt::format("{:.3g} {}", bytes, unit);
-        bytes /= 1024;
-    }
-    return fmt::format("{:.3g} TiB", bytes);
-}
-
-std::string time_text(double seconds)
-{
-    if (std::isnan(seconds)) return "?";
-    if (seconds < 1) return "below 1 s";
-    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
-    return fmt::format("{:.0f} min", seconds / 60);
-}
-
-std::string line(std::string_view what, std::string_view shape, const Estimate& cost)
+std::string line(std::string_view what, std::string_view shape, const TableSize& size,
+                 double seconds)
 {
     return fmt::format("{:<40} {:<32} {:>10} on disk {:>10} in memory {:>10}\n", what, shape,
-                       size_text(static_cast<double>(cost.file_bytes)),
-                       size_text(static_cast<double>(cost.memory_bytes)), time_text(cost.seconds));
+                       size_text(static_cast<double>(size.file_bytes)),
+                       size_text(static_cast<double>(size.memory_bytes)), time_text(seconds));
 }
 
 /// The folder itself, or the nearest above it that exists.
@@ -68,52 +50,60 @@ std::filesystem::path existing(std::filesystem::path directory)
 
 }  // namespace
 
-Estimate estimate(const Job& job, double values_per_second)
+TableSize size_of(const Job& job)
 {
-    Estimate cost;
-    cost.values = job.header.cells() * job.header.channels.size();
-    cost.file_bytes = file_bytes(job, cost.values);
-    cost.memory_bytes = std::min<std::uint64_t>(cost.values * sizeof(float),
+    TableSize size;
+    size.values = job.header.cells() * job.header.channels.size();
+    size.file_bytes = file_bytes(job, size.values);
+    size.memory_bytes = std::min<std::uint64_t>(size.values * sizeof(float),
                                                 tiles_in_memory * ComputeOptions{}.tile_bytes);
-    // What a photon takes is known when some have been followed.
-    cost.seconds = job.layers || job.skin ? std::numeric_limits<double>::quiet_NaN()
-                                          : static_cast<double>(cost.values) / values_per_second;
-    if (!job.cells.empty()) cost.seconds *= evaluations_of_an_integral;
-    if (job.seconds) cost.seconds = *job.seconds;
-    if (job.layers && job.layers->budget.seconds) cost.seconds = *job.layers->budget.seconds;
-    return cost;
+    return size;
 }
 
-std::vector<Estimate> estimates(const std::vector<Job>& jobs, double values_per_second)
+std::string size_text(double bytes)
 {
-    std::vector<Estimate> costs;
-    for (const Job& job : jobs) costs.push_back(estimate(job, values_per_second));
-    return costs;
+    for (const auto unit : {"B", "KiB", "MiB", "GiB"}) {
+        if (bytes < 1024) return fmt::format("{:.3g} {}", bytes, unit);
+        bytes /= 1024;
+    }
+    return fmt::format("{:.3g} TiB", bytes);
 }
 
-std::string estimate_text(const std::vector<Job>& jobs, const std::vector<Estimate>& costs)
+std::string time_text(double seconds)
+{
+    if (std::isnan(seconds)) return "?";
+    if (seconds == 0) return "0 s";
+    if (seconds < 0.1) return "below 0.1 s";
+    if (seconds < 10) return fmt::format("{:.1f} s", seconds);
+    if (seconds < 120) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 7200) return fmt::format("{:.0f} min", seconds / 60);
+    return fmt::format("{:.0f} h", seconds / 3600);
+}
+
+std::string estimate_text(const std::vector<Job>& jobs, const std::vector<Forecast>& forecasts)
 {
     std::string text;
-    Estimate sum;
+    TableSize sum;
+    double seconds = 0;
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         const Job& job = jobs[k];
+        seconds += forecasts[k].seconds;
         if (job.fit) {
             text += fmt::format("{:<40} as many cells as {} s are enough for\n", job.path.string(),
                                 *job.seconds);
             continue;
         }
-        const Estimate& cost = costs[k];
-        sum.file_bytes += cost.file_bytes;
-        sum.memory_bytes = std::max(sum.memory_bytes, cost.memory_bytes);
-        sum.seconds += cost.seconds;
+        const TableSize size = size_of(job);
+        sum.file_bytes += size.file_bytes;
+        sum.memory_bytes = std::max(sum.memory_bytes, size.memory_bytes);
         const auto& channels = job.header.channels;
         const auto shape =
             fmt::format("{} x {}", shape_text(job.header),
                         channels.size() <= 4 ? fmt::format("{}", fmt::join(channels, ","))
                                              : fmt::format("{} channels", channels.size()));
-        text += line(job.path.string(), shape, cost);
+        text += line(job.path.string(), shape, size, forecasts[k].seconds);
     }
-    return text + line(fmt::format("{} tables", jobs.size()), "", sum);
+    return text + line(fmt::format("{} tables", jobs.size()), "", sum, seconds);
 }
 
 void check_disk(const std::vector<Job>& jobs)
@@ -122,7 +112,7 @@ void check_disk(const std::vector<Job>& jobs)
     for (const Job& job : jobs) {
         const auto directory = job.path.parent_path();
         double& bytes = needed[directory];
-        bytes += static_cast<double>(estimate(job, 1).file_bytes);
+        bytes += static_cast<double>(size_of(job).file_bytes);
         std::error_code unknown;
         const auto space = std::filesystem::space(existing(directory), unknown);
         if (unknown || bytes <= static_cast<double>(space.available)) continue;

@@ -13,15 +13,13 @@
 #include "opencl/grid_kernel.hpp"
 #include "photon/asked_layers.hpp"
 #include "photon/bins.hpp"
+#include "photon/exact_values.hpp"
 #include "photon/program.hpp"
 #include "plan/batch.hpp"
 #include "skin/spectral_bases.hpp"
 
 namespace gonio {
 namespace {
-
-/// The error of a table without noise if nobody asks for one.
-constexpr double default_error = 1e-4;
 
 void leave_out(JobPlan& plan, std::string what, std::string why,
                std::optional<double> saving = std::nullopt)
@@ -90,8 +88,10 @@ void explain_grid(JobPlan& plan, const Device& device, const Job& job)
     const bool reciprocal = is_reciprocal(kept, job.measure, job.grid);
     plan.kernel = "table.cl";
     plan.width = device.width();
-    if (!job.fit)
+    if (!job.fit) {
         plan.width = fitting_width(plan.width, job.header.row_length() / (mirrored ? 2 : 1));
+        plan.tiling = tiling(device.info(), job.grid, kept.channels(), reciprocal);
+    }
     plan.definitions = table_definitions(kept, {"", job.measure, mirrored, reciprocal, plan.width});
     leave_out_models(plan, kept);
     leave_out_lobes(plan, given, kept);
@@ -115,13 +115,14 @@ void explain_integral(JobPlan& plan, const Device& device, const Job& job)
     leave_out(plan, "random sampling", "quadrature has no noise and knows its error");
 }
 
-/// Photons have such a standard error of a fraction near 1/2.
+/// Photons have such a standard error of a fraction near 1/2; 0 where a time alone is asked for.
 void leave_out_photons(JobPlan& plan, double error)
 {
-    leave_out(
-        plan, "photons",
-        fmt::format("adding-doubling has no noise, and {:.0e} photons have an error of {:.0e}",
-                    0.25 / (error * error), error));
+    std::string why = "adding-doubling has no noise";
+    if (error > 0)
+        why += fmt::format(", and {:.0e} photons have an error of {:.0e}", 0.25 / (error * error),
+                           error);
+    leave_out(plan, "photons", why);
 }
 
 void explain_layers(JobPlan& plan, const Device& device, const Job& job)
@@ -136,8 +137,7 @@ void explain_layers(JobPlan& plan, const Device& device, const Job& job)
     leave_out_part(
         plan, "layers", left + asked.unreached, left,
         fmt::format("less than {:.0e} of the light comes as far and back", asked.returned), alike);
-    if (light.solver == "adding_doubling")
-        return leave_out_photons(plan, light.budget.max_error.value_or(default_error));
+    if (light.solver == "adding_doubling") return leave_out_photons(plan, tolerance_of(light));
     const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);
     plan.kernel = "photon/transport.cl";
     plan.width = device.width();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "compute/tiling.hpp"
 #include "gonio/device.hpp"
 #include "gonio/job.hpp"
 
@@ -23,7 +24,8 @@ struct JobPlan {
     std::string kernel;                    ///< file of the program, empty without one
     std::vector<std::string> definitions;  ///< "NAME=VALUE"
     unsigned width = 1;
-    bool finished = false;  ///< by an earlier run
+    std::optional<Tiling> tiling = {};  ///< of a grid
+    bool finished = false;              ///< by an earlier run
     std::vector<LeftOut> left_out;
 };
 

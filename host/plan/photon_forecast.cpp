@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a table by photons will cost: the error falls with the root of their number.
-#include "plan/photon_forecast.hpp"
-
+// What tables of layers by Monte Carlo will cost: errors fall with the root of the photons.
 #include <algorithm>
 #include <cmath>
 
 #include "photon/asked_layers.hpp"
 #include "photon/simulation.hpp"
+#include "plan/forecast_parts.hpp"
 
 namespace gonio {
 
-PhotonForecast forecast(const Device& device, const Job& job)
+Forecast photon_forecast(const Device& device, const Job& job)
 {
     constexpr std::uint64_t followed = 1 << 15;
     Job pilot = job;
@@ -31,8 +30,11 @@ PhotonForecast forecast(const Device& device, const Job& job)
     if (budget.seconds)
         times = std::min(times, *budget.seconds * found.photons_per_second / photons);
     if (budget.max_error) times = std::min(times, std::pow(found.error / *budget.max_error, 2));
-    return {times * photons, times * photons / found.photons_per_second,
-            found.error / std::sqrt(times)};
+    return {.seconds = times * photons / found.photons_per_second,
+            .error = found.error / std::sqrt(times),
+            .error_of = "the largest value",
+            .is_bound = false,
+            .photons = times * photons};
 }
 
 }  // namespace gonio

@@ -11,7 +11,7 @@ namespace gonio {
 namespace {
 
 constexpr double floor_of_relative = 1e-6;
-constexpr std::size_t all_cells = 500'000, sampled_cells = 250'000;
+constexpr std::size_t all_values = 500'000, sampled_values = 250'000;
 
 }  // namespace
 
@@ -91,9 +91,14 @@ AccuracyCheck::AccuracyCheck(const Grid& grid, std::size_t channels)
     std::size_t cells = 1;
     for (const Axis& axis : grid.axes) cells *= axis.values.size();
     length_ = grid.axes.back().values.size();
-    step_ = cells * channels <= all_cells ? 1 : cells * channels / sampled_cells;
+    step_ = cells * channels / compared(cells * channels);
     samples_.reserve(cells * channels / step_ + channels);
     extremes_.resize(2 * channels);
+}
+
+std::size_t AccuracyCheck::compared(std::size_t values)
+{
+    return values <= all_values ? values : sampled_values;
 }
 
 void AccuracyCheck::see(const Rows<float>& rows)

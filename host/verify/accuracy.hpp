@@ -50,6 +50,9 @@ class AccuracyCheck {
 public:
     AccuracyCheck(const Grid& grid, std::size_t channels);
 
+    /// About how many of a table's values are compared.
+    static std::size_t compared(std::size_t values);
+
     void see(const Rows<float>& rows);
     Accuracy finish(const Reference& reference, double rounding);
 

@@ -3,6 +3,7 @@
 """failures_test.py GONIO: what fails, what is left behind, and how a batch goes on."""
 
 import json
+import pathlib
 import resource
 import signal
 import subprocess
@@ -10,6 +11,8 @@ import time
 import unittest
 
 from gonio_case import GONIO, SWEPT, GonioCase
+
+SCENES = pathlib.Path(__file__).parents[2] / "bench/scenes"
 
 TWO_TABLES = """[output]
 format = "{format}"
@@ -126,11 +129,25 @@ class Failures(GonioCase):
         (self.at / "s.toml").write_text(SWEPT.format(n=4, form="files"))
         plan = json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]
         self.assertEqual(plan["solver"], "closed_form")
+        self.assertEqual(plan["tiles"]["count"], 1)
         self.assertFalse(plan["finished"])
         self.gonio("run", "s.toml")
-        self.assertTrue(json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]["finished"])
+        plan = json.loads(self.gonio("plan", "s.toml", "--json"))["tables"][0]
+        self.assertTrue(plan["finished"])
+        self.assertEqual(plan["seconds"], 0)
         self.assertIn("an earlier run made it", self.gonio("plan", "s.toml"))
         self.assertIn("0 already finished", self.gonio("run", "s.toml", "--no-plan"))
+
+    def test_plan_of_every_solver(self):
+        for name, count in (("brushed_steel", 1), ("dfg", 2), ("slab", 5), ("skin", 7)):
+            scene = SCENES / f"{name}.toml"
+            plan = json.loads(self.gonio("plan", scene, "-o", "none", "--json"))
+            self.assertEqual(len(plan["tables"]), count)
+            for table in plan["tables"]:
+                self.assertGreater(table["seconds"], 0, table["file"])
+                self.assertGreater(table["error"], 0, table["file"])
+                self.assertTrue(table["error_of"], table["file"])
+        self.assertEqual(list(self.at.iterdir()), [], "a plan wrote something")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each job by a part of it, or by the beginning of all of it.
+#include "plan/forecast.hpp"
+
+#include <algorithm>
+
+#include "photon/asked_layers.hpp"
+#include "photon/exact_values.hpp"
+#include "plan/batch.hpp"
+#include "plan/forecast_parts.hpp"
+#include "plan/trial.hpp"
+#include "scene/located.hpp"
+#include "skin/skin_table.hpp"
+
+namespace gonio {
+namespace {
+
+Forecast skin_forecast(const Job& job)
+{
+    const ScratchFolder scratch;
+    Job pilot = job;
+    pilot.path = scratch.path() / job.path.filename();
+    const double seconds =
+        seconds_by_trial([&](const auto& after_part) { make_skin_table(pilot, after_part); });
+    return {.seconds = seconds, .error = job.skin->tolerance, .error_of = "the light"};
+}
+
+}  // namespace
+
+Forecast exact_forecast(const Job& job)
+{
+    LightJob light = *job.layers;
+    light.medium = asked_layers(job).medium;
+    Forecast result{.error = tolerance_of(light), .error_of = error_of(light)};
+    result.is_bound = light.quantity->id != "mean_path";  // theirs is known at the end
+    const auto solve = [&](const auto& after_part) {
+        return exact_values(light, job.header.axes, after_part).error;
+    };
+    if (!light.budget.seconds) {
+        // How many nodes it needs is seen when two solutions are compared.
+        constexpr double two_solutions = 1;
+        result.seconds = seconds_by_trial(solve, two_solutions);
+        return result;
+    }
+    // As many nodes as the time is enough for: the work grows with their cube, and the error falls
+    // exponentially.
+    const double all = *light.budget.seconds;
+    light.budget.seconds = std::min(all, trial_seconds);
+    const Stopwatch since;
+    const double reached = std::min(solve([](double) {}), 0.9), took = since.seconds();
+    result.seconds = took;
+    if (reached <= result.error) return result;
+    const double wanted = result.error > 0 ? std::log(result.error) / std::log(reached) : INFINITY;
+    const double fitting = std::max(1.0, std::cbrt(all / took));
+    result.seconds = std::min(all, took * std::pow(wanted, 3));
+    result.is_bound = wanted <= fitting;
+    if (!result.is_bound) result.error = std::pow(reached, fitting);
+    return result;
+}
+
+Forecast forecast(const Device& device, const Job& job)
+{
+    return located(job.where, [&] {
+        if (job.profile) return profile_forecast(device, job);
+        if (job.skin) return skin_forecast(job);
+        if (!job.layers)
+            return job.cells.empty() ? grid_forecast(device, job) : integral_forecast(device, job);
+        return job.layers->solver == "monte_carlo" ? photon_forecast(device, job)
+                                                   : exact_forecast(job);
+    });
+}
+
+std::vector<Forecast> forecasts(const Device& device, const std::vector<Job>& jobs)
+{
+    const std::vector<const Job*> twins = equal_jobs(jobs);
+    std::vector<Forecast> all;
+    for (std::size_t k = 0; k < jobs.size(); ++k)
+        all.push_back(twins[k] != nullptr || is_finished(jobs[k]) ? Forecast{}
+                                                                  : forecast(device, jobs[k]));
+    return all;
+}
+
+}  // namespace gonio

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// What jobs will cost, and how exact they will be: told by making a small part of each.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "gonio/device.hpp"
+#include "gonio/job.hpp"
+
+namespace gonio {
+
+struct Forecast {
+    /// Without what the driver takes to build programs that it has not built before; nan where
+    /// nothing tells.
+    double seconds = 0;
+    double error = NAN;         ///< nan as well
+    std::string error_of = {};  ///< what it is a part of: "the largest value"
+    bool is_bound = true;       ///< of the error, which else is about that
+    double photons = 0;         ///< 0 for solvers without
+};
+
+/// Takes a fraction of a second. Throws what the job would throw in that time.
+Forecast forecast(const Device& device, const Job& job);
+
+/// Of a batch: nothing is computed of what an earlier run has finished or what equals another job.
+std::vector<Forecast> forecasts(const Device& device, const std::vector<Job>& jobs);
+
+}  // namespace gonio
