@@ -161,7 +161,7 @@ void explain_skin(JobPlan& plan, const Device& device, const Job& job)
                              4);
         const auto& wavelengths = (job.header.axes.end() - 2)->values;
         const std::size_t bases =
-            spectral_bases(media_of(job.skin->skin, wavelengths), reach_of(*job.profile)).size();
+            spectral_bases(media_of(job.skin->skin, wavelengths), spacing_of(*job.profile)).size();
         if (bases == wavelengths.size()) return;
         return leave_out(plan, "photons of their own for each wavelength",
                          fmt::format("on the paths of {} absorption is exchanged", bases),

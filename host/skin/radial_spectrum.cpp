@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // R(r) of skin at many wavelengths: photons of each base, added up by their shares.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,95 +7,147 @@
 #include "gonio/profile.hpp"
 #include "photon/bins.hpp"
 #include "skin/base_tracer.hpp"
+#include "skin/collected_rings.hpp"
 #include "skin/resumable.hpp"
 
 namespace gonio {
 namespace {
 
-/// Sums over bases. A wavelength's bases have photons of their own, so that their noise is
-/// independent.
-class Combined {
-public:
-    void add(const Fraction& part, const BaseShare& share)
-    {
-        const double off = share.weight - share.coarser;
-        mean_ += share.weight * part.mean;
-        variance_ += std::pow(share.weight * part.error, 2);
-        coarser_ += off * part.mean;
-        noise_ += std::pow(off * part.error, 2);
+/// Errors of a wavelength's rings over those that are asked for, the larger of both.
+double times_wanted(const std::vector<Fraction>& rings, const ProfileRequest& request)
+{
+    std::vector<Fraction> densities;
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+        const double area = ring_area(ring, request.width);
+        densities.push_back({rings[ring].mean / area, rings[ring].error / area});
     }
+    double times = 0;
+    if (request.max_error) times = largest_error(densities) / *request.max_error;
+    if (request.ring_error)
+        times = std::max(times, mean_relative_error(densities) / *request.ring_error);
+    return times;
+}
 
-    /// The rule with one base less is off by more than this one; without its own noise.
-    Fraction fraction() const
-    {
-        const double bias = std::max(coarser_ * coarser_ - noise_, 0.0);
-        return {mean_, std::sqrt(variance_ + bias)};
-    }
-
-private:
-    double mean_ = 0, variance_ = 0, coarser_ = 0, noise_ = 0;
-};
-
-/// All that the bases have found, by wavelength.
-class Collected {
-public:
-    Collected(std::size_t wavelengths, std::size_t rings)
-        : rings_(wavelengths, std::vector<Combined>(rings)),
-          total_(wavelengths),
-          squares_(wavelengths)
-    {
-    }
-
-    void add(const SpectralBase& base, const PhotonResult& found)
-    {
-        const std::size_t stride = base.shares.size();
-        for (std::size_t k = 0; k < stride; ++k) {
-            const BaseShare& share = base.shares[k];
-            auto& rings = rings_[share.medium];
-            for (std::size_t ring = 0; ring < rings.size(); ++ring)
-                rings[ring].add(found.spectrum[ring * stride + k], share);
-            total_[share.medium].add(found.spectrum_total[k], share);
-            squares_[share.medium] += share.weight * share.weight * found.spectrum_squares[k] /
-                                      static_cast<double>(found.photons);
-        }
-    }
-
-    void write(RadialSpectrum& spectrum) const
-    {
-        for (std::size_t k = 0; k < total_.size(); ++k) {
-            auto& rings = spectrum.rings.emplace_back();
-            for (const Combined& ring : rings_[k]) rings.push_back(ring.fraction());
-            spectrum.total.push_back(total_[k].fraction());
-            const double mean = spectrum.total.back().mean;
-            spectrum.effective_photons.push_back(squares_[k] > 0 ? mean * mean / squares_[k] : 0);
-        }
-    }
-
-private:
-    std::vector<std::vector<Combined>> rings_;
-    std::vector<Combined> total_;
-    std::vector<double> squares_;
-};
-
-/// Errors over those that are asked for; of all wavelengths the largest.
+/// Of all wavelengths that a base serves the largest.
 double times_wanted(const PhotonResult& found, std::size_t wavelengths,
                     const ProfileRequest& request)
 {
     double largest = 0;
     for (std::size_t k = 0; k < wavelengths; ++k) {
-        std::vector<Fraction> densities;
-        for (std::size_t ring = 0; ring < request.rings; ++ring) {
-            const double area = ring_area(ring, request.width);
-            const Fraction& light = found.spectrum[ring * wavelengths + k];
-            densities.push_back({light.mean / area, light.error / area});
-        }
-        if (request.max_error)
-            largest = std::max(largest, largest_error(densities) / *request.max_error);
-        if (request.ring_error)
-            largest = std::max(largest, mean_relative_error(densities) / *request.ring_error);
+        std::vector<Fraction> rings;
+        for (std::size_t ring = 0; ring < request.rings; ++ring)
+            rings.push_back(found.spectrum[ring * wavelengths + k]);
+        largest = std::max(largest, times_wanted(rings, request));
     }
     return largest;
 }
+
+double times_wanted(const RadialSpectrum& spectrum, const ProfileRequest& request)
+{
+    double largest = 0;
+    for (const auto& rings : spectrum.rings)
+        largest = std::max(largest, times_wanted(rings, request));
+    return largest;
+}
+
+/// Follows the photons of all bases, each until its errors are a part of those that are asked for.
+class SpectrumTracer {
+public:
+    SpectrumTracer(const Device& device, std::vector<LayeredMedium> media,
+                   const ProfileRequest& request, const AfterLaunch& after_launch)
+        : device_(device),
+          bases_(spectral_bases(media, spacing_of(request))),
+          wavelengths_(media.size()),
+          request_(request),
+          after_launch_(after_launch)
+    {
+    }
+
+    /// Errors of what lies between bases are theirs and those of interpolation, so that smaller
+    /// ones may be needed than are asked for.
+    RadialSpectrum trace(const nlohmann::ordered_json& from)
+    {
+        constexpr double least = 0.4;  // below, noise is not what is left
+        if (!from.is_null()) {
+            state_ = from;
+            part_of_errors_ = from.at("part_of_errors");
+            passes_ = from.at("passes");
+        }
+        for (;; ++passes_) {
+            state_["part_of_errors"] = part_of_errors_;
+            state_["passes"] = passes_;
+            const RadialSpectrum spectrum = trace_bases();
+            const double times = to_error() ? times_wanted(spectrum, request_) : 0;
+            if (times <= 1 || ended_ || part_of_errors_ == least) return spectrum;
+            part_of_errors_ = std::max(least, 0.9 * part_of_errors_ / times);
+        }
+    }
+
+private:
+    bool to_error() const { return request_.max_error || request_.ring_error; }
+
+    RadialSpectrum trace_bases()
+    {
+        CollectedRings all(wavelengths_, request_.rings);
+        RadialSpectrum spectrum{.width = request_.width};
+        ended_ = true;
+        for (std::size_t k = 0; k < bases_.size(); ++k) {
+            BaseTracer tracer(device_, bases_, k, request_, state_["bases"][k]);
+            trace(tracer, k);
+            state_["bases"][k] = tracer.state();
+            all.add(bases_[k], tracer.result());
+            spectrum.photons.push_back(tracer.photons());
+            kernel_seconds_ += tracer.kernel_seconds();
+            ended_ = ended_ && tracer.has_ended();
+        }
+        all.write(spectrum);
+        spectrum.kernel_seconds = kernel_seconds_;
+        return spectrum;
+    }
+
+    void trace(BaseTracer& tracer, std::size_t base)
+    {
+        const auto measured = [&] {
+            return to_error() && tracer.batches() >= least_batches
+                       ? times_wanted(tracer.result(), bases_[base].shares.size(), request_) /
+                             part_of_errors_
+                       : std::numeric_limits<double>::infinity();
+        };
+        double error = measured();
+        const auto state = [&] {
+            state_["bases"][base] = tracer.state();
+            return state_;
+        };
+        while (!tracer.has_ended() && error > 1) {
+            tracer.trace_batch([&] {
+                const double part = std::min(std::max(tracer.part(), std::pow(error, -2)), 1.0);
+                after_launch_(part_of_all((static_cast<double>(base) + part) /
+                                          static_cast<double>(bases_.size())),
+                              state);
+            });
+            error = measured();
+        }
+    }
+
+    /// Nobody knows whether there is a pass after this one: if there may be, half is left.
+    double part_of_all(double part_of_pass) const
+    {
+        const bool may_go_on = to_error() && bases_.size() > 1;
+        const double begun = std::pow(0.5, passes_);
+        return 1 - begun + (may_go_on ? begun / 2 : begun) * part_of_pass;
+    }
+
+    const Device& device_;
+    std::vector<SpectralBase> bases_;
+    std::size_t wavelengths_;
+    const ProfileRequest& request_;
+    const AfterLaunch& after_launch_;
+    nlohmann::ordered_json state_;
+    double part_of_errors_ = 1;
+    int passes_ = 0;      ///< before this one
+    bool ended_ = false;  ///< photons or time of every base
+    double kernel_seconds_ = 0;
+};
 
 }  // namespace
 
@@ -105,38 +155,7 @@ RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,
                               const std::vector<double>& wavelengths, const ProfileRequest& request,
                               const nlohmann::ordered_json& from, const AfterLaunch& after_launch)
 {
-    const auto bases = spectral_bases(media_of(skin, wavelengths), reach_of(request));
-    const bool to_error = request.max_error || request.ring_error;
-    Collected all(wavelengths.size(), request.rings);
-    RadialSpectrum spectrum{.width = request.width};
-    const auto each = static_cast<double>(bases.size());
-    nlohmann::ordered_json states = from;
-    for (std::size_t k = 0; k < bases.size(); ++k) {
-        BaseTracer tracer(device, bases, k, request, states[k]);
-        const auto measured = [&] {
-            return to_error && tracer.batches() >= least_batches
-                       ? times_wanted(tracer.result(), bases[k].shares.size(), request)
-                       : std::numeric_limits<double>::infinity();
-        };
-        double error = measured();
-        const auto part = [&] { return std::max(tracer.part(), std::pow(error, -2)); };
-        const auto state = [&] {
-            states[k] = tracer.state();
-            return states;
-        };
-        while (!tracer.has_ended() && error > 1) {
-            tracer.trace_batch([&] {
-                after_launch((static_cast<double>(k) + std::min(part(), 1.0)) / each, state);
-            });
-            error = measured();
-        }
-        state();
-        all.add(bases[k], tracer.result());
-        spectrum.photons.push_back(tracer.photons());
-        spectrum.kernel_seconds += tracer.kernel_seconds();
-    }
-    all.write(spectrum);
-    return spectrum;
+    return SpectrumTracer(device, media_of(skin, wavelengths), request, after_launch).trace(from);
 }
 
 RadialSpectrum trace_spectrum(const Device& device, const Skin& skin,

@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "skin/absorption_classes.hpp"
 
 namespace gonio {
 namespace {
 
-constexpr double near_step = 0.4;  // of the logarithm of reduced scattering
 constexpr double fine_step = 0.2;  // where relative errors far from the beam count
-constexpr std::size_t rule = 4;    // bases that a medium lies between
+/// Of the largest value: what the coarsest steps keep interpolation to about half of, in all models
+/// of skin. It falls with the cube of the step.
+constexpr double coarse_error = 0.02;
+constexpr std::size_t rule = 4;  // bases that a medium lies between
 
 double change(double a, double b)
 {
@@ -47,6 +50,11 @@ std::vector<std::size_t> nodes(const std::vector<double>& places, double step)
     if (places.back() == 0) return {0};  // absorption is all that changes
     const auto count = std::max(static_cast<double>(rule), std::ceil(places.back() / step) + 1);
     std::vector<std::size_t> chosen;
+    if (count >= static_cast<double>(places.size())) {
+        chosen.resize(places.size());
+        std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+        return chosen;
+    }
     for (double k = 0; k < count; ++k) {
         const double wanted = places.back() * k / (count - 1);
         std::size_t nearest = 0;
@@ -108,9 +116,13 @@ void set_absorption(SpectralBase& base, const std::vector<LayeredMedium>& media)
 
 }  // namespace
 
-double reach_of(const ProfileRequest& request)
+BaseSpacing spacing_of(const ProfileRequest& request)
 {
-    return request.ring_error ? request.width * static_cast<double>(request.rings) : 0;
+    BaseSpacing spacing;
+    if (request.max_error)
+        spacing.step *= std::cbrt(std::min(1.0, *request.max_error / coarse_error));
+    if (!request.ring_error) return spacing;
+    return {std::min(spacing.step, fine_step), request.width * static_cast<double>(request.rings)};
 }
 
 double reduced_scattering(const Layer& layer)
@@ -126,10 +138,11 @@ std::vector<LayeredMedium> media_of(const Skin& skin, const std::vector<double>&
     return media;
 }
 
-std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media, double reach)
+std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media,
+                                         const BaseSpacing& spacing)
 {
     const std::vector<double> place = places(media);
-    const std::vector<std::size_t> chosen = nodes(place, reach > 0 ? fine_step : near_step);
+    const std::vector<std::size_t> chosen = nodes(place, spacing.step);
     std::vector<double> at;
     std::vector<SpectralBase> bases;
     for (const std::size_t node : chosen) {
@@ -137,7 +150,7 @@ std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media
         bases.push_back({media[node], {}, {}});
     }
     for (std::size_t k = 0; k < media.size(); ++k) add_shares(bases, at, k, place[k]);
-    if (reach > 0) bases = split_by_absorption(bases, media, reach);
+    if (spacing.reach > 0) bases = split_by_absorption(bases, media, spacing.reach);
     for (SpectralBase& base : bases) set_absorption(base, media);
     return bases;
 }

@@ -26,15 +26,21 @@ struct SpectralBase {
     std::vector<std::vector<double>> more_absorption;  ///< 1/cm, [share][layer]
 };
 
+/// How near bases are.
+struct BaseSpacing {
+    double step = 0.4;  ///< of the logarithm of reduced scattering
+    double reach = 0;   ///< cm, where relative errors count: bases are split_by_absorption()
+};
+
+/// As a request's errors need it.
+BaseSpacing spacing_of(const ProfileRequest& request);
+
 /// media: the same layers at several wavelengths, in their order. One base where scattering,
 /// indices and thicknesses are the same at all. Else bases where reduced scattering has changed by
-/// half, and interpolation between the four that are nearest (Lagrange, in the logarithm of it); as
-/// many as media if these are few. reach: 0, or where relative errors count, cm: twice as many
-/// bases, and split_by_absorption() of each.
-std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media, double reach = 0);
-
-/// The reach of a request, cm.
-double reach_of(const ProfileRequest& request);
+/// a step, and interpolation between the four that are nearest (Lagrange, in the logarithm of it);
+/// as many as media if these are few.
+std::vector<SpectralBase> spectral_bases(const std::vector<LayeredMedium>& media,
+                                         const BaseSpacing& spacing = {});
 
 /// 1/cm
 double reduced_scattering(const Layer& layer);

@@ -87,6 +87,26 @@ TEST(RadialSpectrum, EndsWhereItIsExactEnough)
     EXPECT_EQ(trace_spectrum(Device(), skin, {450, 650}, request).photons[0], 4321U);
 }
 
+// Between bases errors are larger than theirs.
+TEST(RadialSpectrum, EndsWhereAllWavelengthsAreExactEnough)
+{
+    std::vector<double> wavelengths;
+    for (int at = 400; at <= 700; at += 5) wavelengths.push_back(at);
+    const Skin skin(find_skin_model("pyxopto"));
+    const ProfileRequest request{
+        .width = 0.01, .rings = 20, .photons = 1 << 30, .max_error = 0.018};
+    const auto spectrum = trace_spectrum(Device(), skin, wavelengths, request);
+    EXPECT_LT(spectrum.photons.size(), 10U);
+    for (const auto& light : spectrum.rings) {
+        std::vector<Fraction> densities;
+        for (std::size_t ring = 0; ring < light.size(); ++ring) {
+            const double area = ring_area(ring, request.width);
+            densities.push_back({light[ring].mean / area, light[ring].error / area});
+        }
+        EXPECT_LE(largest_error(densities), 0.018);
+    }
+}
+
 TEST(RadialSpectrum, EndsInTime)
 {
     const Skin skin(find_skin_model("meglinski_2002"));
@@ -126,7 +146,8 @@ TEST(SpectralBases, ServeEveryWavelength)
     for (const std::string& model : skin_model_names()) {
         if (model == "meglinski_2001") continue;  // known at 600 nm only
         std::vector<double> weights(wavelengths.size()), coarser(wavelengths.size());
-        const auto bases = spectral_bases(media_of(Skin(find_skin_model(model)), wavelengths), 0.2);
+        const auto bases =
+            spectral_bases(media_of(Skin(find_skin_model(model)), wavelengths), {0.2, 0.2});
         EXPECT_LE(bases.size(), 40U) << model;
         for (const SpectralBase& base : bases)
             for (std::size_t k = 0; k < base.shares.size(); ++k) {

@@ -72,6 +72,14 @@ TEST(TracedSets, GoOnToAnErrorToTheSameBytes)
     expect_the_same_bytes(job_of(spectrum + "max_error = 0.03\n"), 40);
 }
 
+TEST(TracedSets, GoOnWithSmallerErrorsOfBasesToTheSameBytes)
+{
+    expect_the_same_bytes(job_of("quantity = \"reflectance_r\"\nmax_error = 0.05\n"
+                                 "axes = { wavelength = { from = 400, to = 780, count = 20 }, r = "
+                                 "{ to = 0.1, count = 20 } }\n"),
+                          40);
+}
+
 TEST(TracedSets, GoOnWithColoursToTheSameBytes)
 {
     expect_the_same_bytes(job_of("quantity = \"profile_rgb\"\nphotons = 4096\n"
