@@ -42,14 +42,6 @@ double times_wanted(const PhotonResult& found, std::size_t wavelengths,
     return largest;
 }
 
-double times_wanted(const RadialSpectrum& spectrum, const ProfileRequest& request)
-{
-    double largest = 0;
-    for (const auto& rings : spectrum.rings)
-        largest = std::max(largest, times_wanted(rings, request));
-    return largest;
-}
-
 /// Follows the photons of all bases, each until its errors are a part of those that are asked for.
 class SpectrumTracer {
 public:
@@ -59,7 +51,8 @@ public:
           bases_(spectral_bases(media, spacing_of(request))),
           wavelengths_(media.size()),
           request_(request),
-          after_launch_(after_launch)
+          after_launch_(after_launch),
+          parts_of_errors_(bases_.size(), 1)
     {
     }
 
@@ -67,24 +60,38 @@ public:
     /// ones may be needed than are asked for.
     RadialSpectrum trace(const nlohmann::ordered_json& from)
     {
-        constexpr double least = 0.4;  // below, noise is not what is left
         if (!from.is_null()) {
             state_ = from;
-            part_of_errors_ = from.at("part_of_errors");
+            parts_of_errors_ = from.at("parts_of_errors").get<std::vector<double>>();
             passes_ = from.at("passes");
         }
         for (;; ++passes_) {
-            state_["part_of_errors"] = part_of_errors_;
+            state_["parts_of_errors"] = parts_of_errors_;
             state_["passes"] = passes_;
             const RadialSpectrum spectrum = trace_bases();
-            const double times = to_error() ? times_wanted(spectrum, request_) : 0;
-            if (times <= 1 || ended_ || part_of_errors_ == least) return spectrum;
-            part_of_errors_ = std::max(least, 0.9 * part_of_errors_ / times);
+            if (ended_ || !to_error() || !ask_for_more(spectrum)) return spectrum;
         }
     }
 
 private:
     bool to_error() const { return request_.max_error || request_.ring_error; }
+
+    /// Of the bases of wavelengths whose errors are too large.
+    bool ask_for_more(const RadialSpectrum& spectrum)
+    {
+        constexpr double least = 0.4;  // below, noise is not what is left
+        bool more = false;
+        for (std::size_t k = 0; k < bases_.size(); ++k) {
+            double times = 0;
+            for (const BaseShare& share : bases_[k].shares)
+                times = std::max(times, times_wanted(spectrum.rings[share.medium], request_));
+            double& part = parts_of_errors_[k];
+            if (times <= 1 || part == least) continue;
+            part = std::max(least, 0.9 * part / times);
+            more = true;
+        }
+        return more;
+    }
 
     RadialSpectrum trace_bases()
     {
@@ -97,11 +104,10 @@ private:
             state_["bases"][k] = tracer.state();
             all.add(bases_[k], tracer.result());
             spectrum.photons.push_back(tracer.photons());
-            kernel_seconds_ += tracer.kernel_seconds();
+            spectrum.kernel_seconds += tracer.kernel_seconds();
             ended_ = ended_ && tracer.has_ended();
         }
         all.write(spectrum);
-        spectrum.kernel_seconds = kernel_seconds_;
         return spectrum;
     }
 
@@ -110,7 +116,7 @@ private:
         const auto measured = [&] {
             return to_error() && tracer.batches() >= least_batches
                        ? times_wanted(tracer.result(), bases_[base].shares.size(), request_) /
-                             part_of_errors_
+                             parts_of_errors_[base]
                        : std::numeric_limits<double>::infinity();
         };
         double error = measured();
@@ -143,10 +149,9 @@ private:
     const ProfileRequest& request_;
     const AfterLaunch& after_launch_;
     nlohmann::ordered_json state_;
-    double part_of_errors_ = 1;
-    int passes_ = 0;      ///< before this one
-    bool ended_ = false;  ///< photons or time of every base
-    double kernel_seconds_ = 0;
+    std::vector<double> parts_of_errors_;  ///< of each base
+    int passes_ = 0;                       ///< before this one
+    bool ended_ = false;                   ///< photons or time of every base
 };
 
 }  // namespace
