@@ -16,16 +16,6 @@
 namespace gonio {
 namespace {
 
-/// The light of each part of the table: for a BRDF a beam for each of its directions.
-std::vector<LightSource> lights_of(const Job& job)
-{
-    if (!job.layers->quantity->on_grid()) return {job.layers->light};
-    std::vector<LightSource> lights;
-    for (const double degrees : job.header.axes.front().values)
-        lights.push_back({.incidence = degrees * std::numbers::pi / 180});
-    return lights;
-}
-
 /// Batch by batch: whether to go on is asked where one ends, so that the answer depends on the
 /// request alone, except for time.
 class Simulation {
@@ -201,6 +191,15 @@ private:
 };
 
 }  // namespace
+
+std::vector<LightSource> lights_of(const Job& job)
+{
+    if (!job.layers->quantity->on_grid()) return {job.layers->light};
+    std::vector<LightSource> lights;
+    for (const double degrees : job.header.axes.front().values)
+        lights.push_back({.incidence = degrees * std::numbers::pi / 180});
+    return lights;
+}
 
 SimulatedValues simulate(const Device& device, const Job& job,
                          const std::function<void(const LightProgress&)>& after_launch)

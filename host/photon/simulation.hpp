@@ -13,6 +13,10 @@
 
 namespace gonio {
 
+/// The light of each part of a table, which has photons of its own: for a BRDF a beam for each of
+/// its directions.
+std::vector<LightSource> lights_of(const Job& job);
+
 struct SimulatedValues {
     std::vector<Fraction> values;  ///< in the order of the table
     LightTable table;

@@ -15,8 +15,7 @@ Forecast photon_forecast(const Device& device, const Job& job)
     Job pilot = job;
     pilot.layers->medium = asked_layers(job).medium;
     pilot.layers->budget = {};
-    const std::size_t parts =
-        job.layers->quantity->on_grid() ? job.header.axes[0].values.size() : 1;
+    const std::size_t parts = lights_of(job).size();
     pilot.layers->budget.photons = followed / parts;
     pilot.must_reach = false;
     pilot.path += ".forecast";  // where no earlier run has left a checkpoint

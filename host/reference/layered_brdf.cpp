@@ -51,13 +51,12 @@ public:
             for (auto mode = modes.begin(); mode != modes.end() && !fading; ++mode)
                 fading = !add(*mode);
         }
-        const SingleScattering once(medium_, directions_);
+        const SingleScattering once(medium_, directions_, angles_.delta_phi);
         const std::size_t stride = angles_.theta_o.size() * angles_.delta_phi.size();
         in_parallel(angles_.theta_i.size(), [&](std::size_t i) {
             auto value = brdf_.values.begin() + static_cast<std::ptrdiff_t>(i * stride);
             for (const double out : angles_.theta_o)
-                for (const double phi : angles_.delta_phi)
-                    *value++ += once(angles_.theta_i[i], out, phi);
+                for (const double light : once(angles_.theta_i[i], out)) *value++ += light;
             slabs_.tell();
         });
         return std::move(brdf_);

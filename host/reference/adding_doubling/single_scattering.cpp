@@ -13,24 +13,26 @@
 namespace gonio::reference {
 namespace {
 
-/// The sum of (2 l + 1) / (4 pi) times moment l times P_l(x), by Bonnet's recursion.
-double sum_of_moments(const Eigen::VectorXd& moments, double x)
+/// The sum of (2 l + 1) / (4 pi) times moment l times P_l at each x, by Bonnet's recursion.
+Eigen::ArrayXd sum_of_moments(const Eigen::VectorXd& moments, const Eigen::ArrayXd& x)
 {
-    double before = 0, now = 1, sum = 0;
+    Eigen::ArrayXd before = Eigen::ArrayXd::Zero(x.size()), now = Eigen::ArrayXd::Ones(x.size());
+    Eigen::ArrayXd sum = before;
     for (Eigen::Index l = 0; l < moments.size(); ++l) {
         const double degree = static_cast<double>(l);
         sum += (2 * degree + 1) * moments(l) * now;
-        const double next = ((2 * degree + 1) * x * now - degree * before) / (degree + 1);
-        before = now;
-        now = next;
+        before = (2 * degree + 1) / (degree + 1) * x * now - degree / (degree + 1) * before;
+        before.swap(now);
     }
     return sum / (4 * std::numbers::pi);
 }
 
 }  // namespace
 
-SingleScattering::SingleScattering(const LayeredMedium& medium, const Directions& directions)
-    : n_above_(medium.n_above)
+SingleScattering::SingleScattering(const LayeredMedium& medium, const Directions& directions,
+                                   const std::vector<double>& delta_phi)
+    : n_above_(medium.n_above),
+      cosines_(Eigen::Map<const Eigen::ArrayXd>(delta_phi.data(), std::ssize(delta_phi)).cos())
 {
     for (const Layer& layer : medium.layers) {
         const TruncatedPhase phase = truncate(layer.phase, LocalDirections(directions, layer.n));
@@ -40,16 +42,18 @@ SingleScattering::SingleScattering(const LayeredMedium& medium, const Directions
     }
 }
 
-double SingleScattering::difference(const Scatterer& layer, double cosine) const
+Eigen::ArrayXd SingleScattering::difference(const Scatterer& layer, const Eigen::ArrayXd& cosines)
 {
-    return layer.layer->mus * phase_density(layer.layer->phase, cosine) -
-           layer.smooth * sum_of_moments(layer.moments, cosine);
+    const auto density = [&](double cosine) { return phase_density(layer.layer->phase, cosine); };
+    return layer.layer->mus * cosines.unaryExpr(density) -
+           layer.smooth * sum_of_moments(layer.moments, cosines);
 }
 
-double SingleScattering::operator()(double theta_i, double theta_o, double delta_phi) const
+Eigen::ArrayXd SingleScattering::operator()(double theta_i, double theta_o) const
 {
     const Direction in{n_above_, std::cos(theta_i)}, out{n_above_, std::cos(theta_o)};
-    double n = n_above_, cosine_i = in.cosine, cosine_o = out.cosine, passes = 1, sum = 0;
+    double n = n_above_, cosine_i = in.cosine, cosine_o = out.cosine, passes = 1;
+    Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(cosines_.size());
     for (const Scatterer& scatterer : layers_) {
         const Layer& layer = *scatterer.layer;
         const double squared_i = in.normal_squared(layer.n),
@@ -64,9 +68,9 @@ double SingleScattering::operator()(double theta_i, double theta_o, double delta
         if (layer.mus > 0) {
             const double sines =
                 std::sqrt((1 - cosine_i) * (1 + cosine_i) * (1 - cosine_o) * (1 + cosine_o));
-            const double cosine = sines * std::cos(delta_phi) - cosine_i * cosine_o;
-            sum += passes * std::pow(n_above_ / n, 2) * difference(scatterer, cosine) *
-                   -std::expm1(-depth) / (scatterer.extinction * (cosine_i + cosine_o));
+            const double light = passes * std::pow(n_above_ / n, 2) * -std::expm1(-depth) /
+                                 (scatterer.extinction * (cosine_i + cosine_o));
+            sum += light * difference(scatterer, sines * cosines_ - cosine_i * cosine_o);
         }
         passes *= std::exp(-depth);
     }
