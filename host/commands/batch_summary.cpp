@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compute/make_table.hpp"
 #include "photon/light_table.hpp"
@@ -34,6 +35,21 @@ void print(const Job& job, const MadeTable& made, std::size_t width)
     fmt::print("{:<{}} {:>11} {:>8.2f} {:>8} {:>9.1e}{} {}\n", models_text(job), width, made.cells,
                static_cast<double>(evaluated) / made.kernel_seconds * 1e-9, store,
                made.accuracy.relative, made.accuracy.complete ? ' ' : '*', job.path.string());
+}
+
+/// "error 1.2e-03 of the largest value, 2.0e-03 allowed"
+std::string error_text(const Job& job, double error, std::string_view of)
+{
+    if (std::isinf(error)) return "no light has come";
+    const auto asked = asked_error(job);
+    return fmt::format("error {:.1e} of {}{}", error, of,
+                       asked ? fmt::format(", {:.1e} allowed", *asked) : "");
+}
+
+/// Of skin.
+std::string error_text(const Job& job, const nlohmann::ordered_json& run)
+{
+    return error_text(job, run.at("error").get<double>(), run.at("error_of").get<std::string>());
 }
 
 /// Tells progress of a job by the part that is done, and heeds Ctrl-C.
@@ -74,8 +90,8 @@ std::pair<std::string, nlohmann::ordered_json> make_layers(const Device& device,
     const auto how = made.photons == 0 ? std::string("without noise")
                                        : fmt::format("{} photons, {:.3g} photons/s", made.photons,
                                                      made.photons_per_second);
-    return {fmt::format("{}: solver {}, {}, error {:.1e} of the largest value, {}\n", job.name,
-                        job.layers->solver, how, made.error, job.path.string()),
+    return {fmt::format("{}: solver {}, {}, {}, {}\n", job.name, job.layers->solver, how,
+                        error_text(job, made.error, made.error_of), job.path.string()),
             made.run};
 }
 
@@ -92,17 +108,16 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
         if (job.profile) {
             Advance advance(progress, job);
             auto run = make_profile_table(device, job, [&](double part) { advance(part); });
-            of_layers += fmt::format("{}: {} of skin, {:.3g} photons a wavelength, {}\n", job.name,
-                                     job.header.quantity, run.at("photons").get<double>(),
-                                     job.path.string());
+            of_layers += fmt::format("{}: {} of skin, {:.3g} photons a wavelength, {}, {}\n",
+                                     job.name, job.header.quantity, run.at("photons").get<double>(),
+                                     error_text(job, run), job.path.string());
             return run;
         }
         if (job.skin) {
             Advance advance(progress, job);
             auto run = make_skin_table(job, [&](double part) { advance(part); });
-            of_layers +=
-                fmt::format("{}: {} of skin, without noise, error {:.1e}, {}\n", job.name,
-                            job.header.quantity, run.at("error").get<double>(), job.path.string());
+            of_layers += fmt::format("{}: {} of skin, without noise, {}, {}\n", job.name,
+                                     job.header.quantity, error_text(job, run), job.path.string());
             return run;
         }
         if (job.layers) {
@@ -128,6 +143,13 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
     if (std::ranges::any_of(made,
                             [](const auto& entry) { return !entry.second.accuracy.complete; }))
         fmt::print("* checked on 250 000 stratified cells and the extremes\n");
+    for (const auto& [job, table] : made) {
+        if (const std::string text = interpolation_text(job); !text.empty())
+            fmt::print("{}: {}\n", job.name, text);
+        if (table.integrals && job.must_reach)
+            fmt::print("{}: {}\n", job.name,
+                       error_text(job, table.accuracy.relative, integral_error_of));
+    }
     fmt::print("{}", of_layers);
     fmt::print("{} made, {}{} already finished\n", report.made,
                report.copied == 0 ? "" : fmt::format("{} copied, ", report.copied), report.kept);

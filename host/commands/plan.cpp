@@ -57,6 +57,8 @@ nlohmann::ordered_json json_of(const Job& job, const JobPlan& plan, const Foreca
     if (plan.tiling)
         json["tiles"] = {{"count", plan.tiling->tiles * job.materials.size()},
                          {"bytes", plan.tiling->bytes}};
+    if (plan.tally_bytes > 0) json["tally_bytes"] = plan.tally_bytes;
+    if (const auto asked = asked_error(job)) json["max_error"] = *asked;
     if (!std::isnan(forecast.seconds)) json["seconds"] = forecast.seconds;
     if (forecast.photons > 0) json["photons"] = forecast.photons;
     if (!std::isnan(forecast.error)) {
@@ -84,9 +86,12 @@ std::string text_of(const Job& job, const Forecast& forecast)
         text += fmt::format(" and {:.1e} photons{}", forecast.photons,
                             job.profile ? " a wavelength" : "");
     if (std::isnan(forecast.error)) return text;
-    return text + fmt::format(", an error of {} {:.1e} of {}",
-                              forecast.is_bound ? "at most" : "about", forecast.error,
-                              forecast.error_of);
+    text += fmt::format(", an error of {} {:.1e} of {}", forecast.is_bound ? "at most" : "about",
+                        forecast.error, forecast.error_of);
+    const auto asked = asked_error(job);
+    if (!forecast.is_bound && asked && forecast.error > *asked)
+        text += fmt::format(", where {:.1e} is allowed", *asked);
+    return text;
 }
 
 void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
@@ -103,11 +108,10 @@ void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
     if (plan.tiling)
         fmt::print("    tiles: {} of {}\n", plan.tiling->tiles * job.materials.size(),
                    size_text(static_cast<double>(plan.tiling->bytes)));
-    if (job.header.find("interpolation.error") && !job.fit)
-        fmt::print("    grid: interpolation is off by {:.2g} of the largest value, {} asked\n",
-                   job.interpolation_error,
-                   job.max_error > 0 ? fmt::format("{:.2g} is", job.max_error)
-                                     : fmt::format("{} s are", *job.seconds));
+    if (plan.tally_bytes > 0)
+        fmt::print("    tallies: {}\n", size_text(static_cast<double>(plan.tally_bytes)));
+    if (const std::string text = interpolation_text(job); !text.empty())
+        fmt::print("    grid: {}\n", text);
     if (!plan.finished) fmt::print("    {}\n", text_of(job, forecast));
     print(plan.left_out);
 }

@@ -28,8 +28,8 @@ struct TableOptions {
 Budget budget_of(const TableOptions& options)
 {
     const auto& most = options.max_error;
-    if (most && !(*most >= 0 && *most <= 1))
-        throw UsageError(fmt::format("--max-error is {}; allowed is 0 to 1", *most));
+    if (most && !(*most >= least_error && *most <= 1))
+        throw UsageError(fmt::format("--max-error is {}; allowed is {} to 1", *most, least_error));
     Budget budget;
     budget.max_error = most;
     if (!options.time.empty()) budget.seconds = seconds_of("--time", options.time);

@@ -103,12 +103,16 @@ cl::Kernel table_kernel(Device::State& device, const Material& material,
             "table"};
 }
 
+std::vector<std::string> albedo_definitions(const Material& material, bool isotropic)
+{
+    return {fmt::format("CHANNELS={}", material.channels()),
+            fmt::format("ISOTROPIC={}", isotropic ? 1 : 0)};
+}
+
 cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool isotropic)
 {
-    const std::vector<std::string> definitions{fmt::format("CHANNELS={}", material.channels()),
-                                               fmt::format("ISOTROPIC={}", isotropic ? 1 : 0)};
     return {build_program(device, preamble(material, "directions/quadrature.cl", For::all_numbers),
-                          "albedo.cl", definitions, device.width),
+                          "albedo.cl", albedo_definitions(material, isotropic), device.width),
             "albedo"};
 }
 

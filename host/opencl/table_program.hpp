@@ -27,6 +27,9 @@ std::vector<std::string> table_definitions(const Material& material, const Table
 cl::Kernel table_kernel(Device::State& device, const Material& material,
                         const TableProgram& program);
 
+/// Likewise of kernel `albedo`.
+std::vector<std::string> albedo_definitions(const Material& material, bool isotropic);
+
 /// Builds kernel `albedo`, for BRDFs, likewise; isotropic if all materials are that it is used for.
 cl::Kernel albedo_kernel(Device::State& device, const Material& material, bool isotropic);
 

@@ -111,21 +111,28 @@ double root(const HalfSpace& half_space, double albedo, int nodes, double x, dou
     return at(0);
 }
 
-/// Sets the nodes that it took: few until the root is near, then as many as the tolerance needs.
-Fraction invert(const HalfSpace& half_space, double albedo, double tolerance, int& nodes)
+/// What scatters so, and how far its albedo is off.
+struct Inverted {
+    Fraction alpha;
+    double off = 0;
+    int nodes = 0;
+};
+
+/// Few nodes until the root is near, then as many as the tolerance needs.
+Inverted invert(const HalfSpace& half_space, double albedo, double tolerance)
 {
-    if (albedo == 1) return {1, 0};
-    if (albedo <= half_space.surface()) return {0, 0};
+    if (albedo == 1) return {{1, 0}};
+    if (albedo <= half_space.surface()) return {{0, 0}};
     double x = root(half_space, albedo, few_nodes, half_space.guess(albedo), 1e-3);
     constexpr double step = 1e-2;
     const double rise =
         (half_space.reflectance_at(x + step, few_nodes) - half_space.reflectance_at(x, few_nodes)) /
         (half_space.alpha_at(x + step) - half_space.alpha_at(x));
-    for (nodes = half_space.nodes_for(x, tolerance); nodes <= most_nodes; nodes *= 2) {
+    for (int nodes = half_space.nodes_for(x, tolerance); nodes <= most_nodes; nodes *= 2) {
         x = root(half_space, albedo, nodes, x, tolerance / 10);
         const auto [found, error] = half_space.reflectance_with_error_at(x, nodes);
         const double off = error + std::abs(found - albedo);
-        if (off <= tolerance) return {half_space.alpha_at(x), off / rise};
+        if (off <= tolerance) return {{half_space.alpha_at(x), off / rise}, off, nodes};
     }
     throw RunError(fmt::format("adding-doubling did not reach an error of {:.1e} of the albedo {}",
                                tolerance, albedo));
@@ -157,10 +164,11 @@ ExactValues invert_albedos(const LightJob& light, const Axis& albedos,
     std::mutex guard;
     double done = 0;
     in_parallel(albedos.values.size(), [&](std::size_t k) {
-        int nodes = 0;
-        result.values[k] = invert(half_space, albedos.values[k], tolerance, nodes);
+        const Inverted found = invert(half_space, albedos.values[k], tolerance);
+        result.values[k] = found.alpha;
         const std::scoped_lock lock(guard);
-        result.nodes = std::max(result.nodes, nodes);
+        result.nodes = std::max(result.nodes, found.nodes);
+        result.error = std::max(result.error, found.off);
         after_part(++done / static_cast<double>(albedos.values.size()));
     });
     return result;

@@ -33,7 +33,7 @@ Preset preset_of(std::string_view quantity)
     if (quantity == "brdf") return {1e-3, "the largest value"};
     if (quantity.ends_with("_alpha")) return {1e-4, "the largest value"};
     if (quantity == "single_scattering_albedo") return {1e-6, "the albedo 1"};
-    if (quantity == "mean_path") return {1e-5, "each value"};
+    if (quantity == "mean_path") return {0, "each value"};
     return {1e-6, "the light"};
 }
 

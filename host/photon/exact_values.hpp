@@ -11,7 +11,7 @@
 namespace gonio {
 
 /// The largest error that a job's values have: its max_error, or where it has none what the
-/// quantity is computed to, mean paths about; 0 where a time alone ends the work.
+/// quantity is computed to; 0 where they are as exact as they can be, in a time or at all.
 double tolerance_of(const LightJob& light);
 
 /// What those errors are a part of: "the light".
@@ -20,7 +20,7 @@ const char* error_of(const LightJob& light);
 struct ExactValues {
     std::vector<Fraction> values;  ///< in the order of the table; error: a bound
     int nodes = 0;                 ///< quadrature directions that it took
-    double error = 0;  ///< that a max_error bounds, where a time may have ended it first
+    double error = 0;              ///< that a max_error bounds, a part of what error_of() says
 };
 
 /// Of a job's layers, over the axes of its table: to its max_error, as exact as its time allows, or

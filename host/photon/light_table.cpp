@@ -57,8 +57,12 @@ LightTable make_light_table(const Device& device, const Job& given,
                 "not by {:.2g}; give it more, or --best-effort",
                 exact.nodes, *budget.seconds, job.name, exact.error, *budget.max_error));
         write(job, exact.values);
-        const double error = largest_error(exact.values);
-        return {0, 0, error, {{"nodes", exact.nodes}, {"error_of_largest_value", error}}};
+        const char* of = error_of(*job.layers);
+        return {0,
+                0,
+                exact.error,
+                of,
+                {{"nodes", exact.nodes}, {"error", exact.error}, {"error_of", of}}};
     });
 }
 

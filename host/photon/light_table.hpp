@@ -22,7 +22,8 @@ struct LightProgress {
 struct LightTable {
     std::uint64_t photons = 0;  ///< 0 for adding-doubling
     double photons_per_second = 0;
-    double error = 0;  ///< the largest error, over the largest value
+    double error = 0;  ///< the largest; infinite where no light has come to tell it
+    std::string error_of = "the largest value";  ///< what the error is a part of
     nlohmann::ordered_json run;
 };
 

@@ -99,6 +99,8 @@ ExactValues mean_paths(const LightJob& light, const reference::AfterPart& after_
                 fine[side].mean,
                 std::max(fine[side].error, std::abs(fine[side].mean - coarse[side].mean))};
     }
+    for (const Fraction& path : result.values)
+        if (path.mean > 0) result.error = std::max(result.error, path.error / path.mean);
     return result;
 }
 

@@ -16,6 +16,17 @@
 namespace gonio {
 namespace {
 
+/// So many photons are enough to give up where no light comes.
+constexpr std::uint64_t enough_in_the_dark = std::uint64_t{1} << 24;
+
+/// The largest over the largest value; infinite where no light has come, which tells nothing.
+double error_of(const std::vector<Fraction>& values)
+{
+    const bool dark =
+        std::ranges::all_of(values, [](const Fraction& one) { return one.mean == 0; });
+    return dark ? INFINITY : largest_error(values);
+}
+
 /// Batch by batch: whether to go on is asked where one ends, so that the answer depends on the
 /// request alone, except for time.
 class Simulation {
@@ -39,8 +50,12 @@ public:
         const nlohmann::ordered_json saved = checkpoint_.progress();
         if (!saved.is_null()) load(saved);
         for (; part_ < lights_.size(); ++part_) trace_part(saved);
-        const double error = largest_error(values_);
-        return {values_, {photons_, rate(), error, information(error)}};
+        const double error = error_of(values_);
+        return {values_,
+                {.photons = photons_,
+                 .photons_per_second = rate(),
+                 .error = error,
+                 .run = information(error)}};
     }
 
 private:
@@ -69,10 +84,16 @@ private:
                 report(tracer, error);
             });
             found = densities(tracer.result(), *light_.quantity, tallies_, job_.header.axes);
-            if (batches >= least_batches) error = largest_error(found);
+            if (batches >= least_batches) error = error_of(found);
             if (done_ == most_ || is_exact_enough(error) || seconds() >= time()) break;
+            if (std::isinf(error) && is_open_ended() && done_ >= enough_in_the_dark) break;
         }
-        error = largest_error(found);
+        error = error_of(found);
+        if (job_.must_reach && std::isinf(error))
+            throw RunError(fmt::format(
+                "none of {} photons has come to table `{}`, so that nothing tells its error; "
+                "--best-effort keeps it",
+                done_, job_.name));
         if (job_.must_reach && !is_exact_enough(error))
             throw RunError(fmt::format(
                 "after {} photons and {:.1f} s the largest standard error of table `{}` is {:.2g} "
@@ -135,6 +156,8 @@ private:
     }
 
     double seconds() const { return spent_ + since_.seconds(); }
+
+    bool is_open_ended() const { return most_ == no_limit && !light_.budget.seconds; }
 
     bool is_exact_enough(double error) const
     {

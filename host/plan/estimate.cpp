@@ -60,6 +60,15 @@ TableSize size_of(const Job& job)
     return size;
 }
 
+std::string interpolation_text(const Job& job)
+{
+    if (job.header.find("interpolation.error") == nullptr || job.fit) return {};
+    return fmt::format("interpolation is off by {:.2g} of the largest value, {} asked",
+                       job.interpolation_error,
+                       job.max_error > 0 ? fmt::format("{:.2g} is", job.max_error)
+                                         : fmt::format("{} s are", *job.seconds));
+}
+
 std::string size_text(double bytes)
 {
     for (const auto unit : {"B", "KiB", "MiB", "GiB"}) {

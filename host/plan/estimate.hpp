@@ -22,6 +22,10 @@ TableSize size_of(const Job& job);
 /// A line for each job and one for the sum: what --dry-run prints.
 std::string estimate_text(const std::vector<Job>& jobs, const std::vector<Forecast>& forecasts);
 
+/// "interpolation is off by 0.01 of the largest value, 0.02 is asked"; empty where a grid was
+/// given.
+std::string interpolation_text(const Job& job);
+
 /// "16.7 MiB"
 std::string size_text(double bytes);
 

@@ -11,21 +11,12 @@
 #include "compute/idle_lobes.hpp"
 #include "compute/symmetry.hpp"
 #include "opencl/grid_kernel.hpp"
-#include "photon/asked_layers.hpp"
-#include "photon/bins.hpp"
-#include "photon/exact_values.hpp"
-#include "photon/program.hpp"
 #include "plan/batch.hpp"
-#include "skin/spectral_bases.hpp"
+#include "plan/explain_parts.hpp"
+#include "quadrature/derived.hpp"
 
 namespace gonio {
 namespace {
-
-void leave_out(JobPlan& plan, std::string what, std::string why,
-               std::optional<double> saving = std::nullopt)
-{
-    plan.left_out.push_back({std::move(what), std::move(why), saving});
-}
 
 void leave_out_models(JobPlan& plan, const Material& material)
 {
@@ -33,15 +24,6 @@ void leave_out_models(JobPlan& plan, const Material& material)
     for (const Lobe& lobe : material.lobes) named.insert(lobe.model->id);
     leave_out(plan, fmt::format("{} of {} models", models().size() - named.size(), models().size()),
               "no lobe is one of them: they are not compiled");
-}
-
-/// part of a whole is left out, so that the work is about so much less, if all parts are alike.
-void leave_out_part(JobPlan& plan, const char* of, std::size_t all, std::size_t left,
-                    std::string why, bool alike = true)
-{
-    if (left == all) return;
-    leave_out(plan, fmt::format("{} of {} {}", all - left, all, of), std::move(why));
-    if (alike) plan.left_out.back().saving = static_cast<double>(all) / static_cast<double>(left);
 }
 
 void leave_out_lobes(JobPlan& plan, const Material& given, const Material& kept)
@@ -104,73 +86,33 @@ void explain_grid(JobPlan& plan, const Device& device, const Job& job)
     if (kept.isotropic()) leave_out(plan, "tangent frames", "every lobe is the same along x and y");
 }
 
+/// Each lobe has a program of its own.
+void add_lobe_program(JobPlan& plan, const std::vector<Material>& materials, std::size_t lobe)
+{
+    const auto alone = [&](const Material& material) {
+        return Material{material.name, {material.lobes[lobe]}};
+    };
+    const bool isotropic = std::ranges::all_of(
+        materials, [&](const Material& material) { return alone(material).isotropic(); });
+    for (const std::string& definition : albedo_definitions(alone(materials.front()), isotropic))
+        if (std::ranges::find(plan.definitions, definition) == plan.definitions.end())
+            plan.definitions.push_back(definition);
+}
+
 void explain_integral(JobPlan& plan, const Device& device, const Job& job)
 {
-    plan.kernel = "albedo.cl";
-    plan.width = device.width();
-    const Material& first = job.materials.front();
+    const std::vector<Material> materials = integrated_materials(job);
+    const Material& first = materials.front();
+    const std::vector<std::size_t> lit = lobes_with_light(materials);
+    if (job.header.quantity != "specular_reflectance") {
+        plan.kernel = "albedo.cl";
+        plan.width = device.width();
+        for (const std::size_t lobe : lit) add_lobe_program(plan, materials, lobe);
+    }
     leave_out_models(plan, first);
-    leave_out_part(plan, "lobes", first.lobes.size(), lobes_with_light(job.materials).size(),
+    leave_out_part(plan, "lobes", first.lobes.size(), lit.size(),
                    "their weight is 0, or they reflect nothing");
     leave_out(plan, "random sampling", "quadrature has no noise and knows its error");
-}
-
-/// Photons have such a standard error of a fraction near 1/2; 0 where a time alone is asked for.
-void leave_out_photons(JobPlan& plan, double error)
-{
-    std::string why = "adding-doubling has no noise";
-    if (error > 0)
-        why += fmt::format(", and {:.0e} photons have an error of {:.0e}", 0.25 / (error * error),
-                           error);
-    leave_out(plan, "photons", why);
-}
-
-void explain_layers(JobPlan& plan, const Device& device, const Job& job)
-{
-    const LightJob& light = *job.layers;
-    const AskedLayers asked = asked_layers(job);
-    const std::size_t all = light.medium.layers.size(), left = asked.medium.layers.size();
-    // Few photons come to where none is needed: the bench's savings have none of this.
-    const bool alike = light.solver == "adding_doubling";
-    leave_out_part(plan, "layers", all, all - asked.clear,
-                   "clear, of their neighbour's index, and nobody asks for them", alike);
-    leave_out_part(
-        plan, "layers", left + asked.unreached, left,
-        fmt::format("less than {:.0e} of the light comes as far and back", asked.returned), alike);
-    if (light.solver == "adding_doubling") return leave_out_photons(plan, tolerance_of(light));
-    const PhotonTallies tallies = tallies_of(*light.quantity, job.header.axes);
-    plan.kernel = "photon/transport.cl";
-    plan.width = device.width();
-    plan.definitions =
-        photon_program(asked.medium, {.light = light.light, .tallies = tallies}).definitions;
-    const auto unless = [&](bool tallied, const char* what) {
-        if (!tallied) leave_out(plan, what, "nobody asks for it: neither compiled nor allocated");
-    };
-    unless(tallies.reflected, "the tally of reflected light");
-    unless(tallies.transmitted, "the tally of transmitted light");
-    unless(tallies.absorbed, "the tally of absorbed light");
-}
-
-void explain_skin(JobPlan& plan, const Device& device, const Job& job)
-{
-    if (job.profile) {
-        plan.kernel = "photon/transport.cl";
-        plan.width = device.width();
-        if (job.header.quantity != "reflectance_r")
-            return leave_out(plan, "wavelengths between every 20 nm", "colour does not need them",
-                             4);
-        const auto& wavelengths = (job.header.axes.end() - 2)->values;
-        const std::size_t bases =
-            spectral_bases(media_of(job.skin->skin, wavelengths), spacing_of(*job.profile)).size();
-        if (bases == wavelengths.size()) return;
-        return leave_out(plan, "photons of their own for each wavelength",
-                         fmt::format("on the paths of {} absorption is exchanged", bases),
-                         static_cast<double>(wavelengths.size()) / static_cast<double>(bases));
-    }
-    leave_out_photons(plan, job.skin->tolerance);
-    if (!job.skin->ladders.empty() || job.header.axes.back().name == "d")
-        leave_out(plan, "layers that several sets or folds share",
-                  "they are solved once at a wavelength");
 }
 
 std::string solver_of(const Job& job)
@@ -181,6 +123,19 @@ std::string solver_of(const Job& job)
 }
 
 }  // namespace
+
+void leave_out(JobPlan& plan, std::string what, std::string why, std::optional<double> saving)
+{
+    plan.left_out.push_back({std::move(what), std::move(why), saving});
+}
+
+void leave_out_part(JobPlan& plan, const char* of, std::size_t all, std::size_t left,
+                    std::string why, bool alike)
+{
+    if (left == all) return;
+    leave_out(plan, fmt::format("{} of {} {}", all - left, all, of), std::move(why));
+    if (alike) plan.left_out.back().saving = static_cast<double>(all) / static_cast<double>(left);
+}
 
 JobPlan explain(const Device& device, const Job& job)
 {

@@ -25,6 +25,7 @@ struct JobPlan {
     std::vector<std::string> definitions;  ///< "NAME=VALUE"
     unsigned width = 1;
     std::optional<Tiling> tiling = {};  ///< of a grid
+    std::size_t tally_bytes = 0;        ///< of photons, on the device
     bool finished = false;              ///< by an earlier run
     std::vector<LeftOut> left_out;
 };

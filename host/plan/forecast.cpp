@@ -32,14 +32,16 @@ Forecast exact_forecast(const Job& job)
     LightJob light = *job.layers;
     light.medium = asked_layers(job).medium;
     Forecast result{.error = tolerance_of(light), .error_of = error_of(light)};
-    result.is_bound = light.quantity->id != "mean_path";  // theirs is known at the end
-    const auto solve = [&](const auto& after_part) {
-        return exact_values(light, job.header.axes, after_part).error;
-    };
     if (!light.budget.seconds) {
         // How many nodes it needs is seen when two solutions are compared.
         constexpr double two_solutions = 1;
+        double reached = NAN;  // unless that is all there is to do
+        const auto solve = [&](const auto& after_part) {
+            reached = exact_values(light, job.header.axes, after_part).error;
+        };
         result.seconds = seconds_by_trial(solve, two_solutions);
+        result.is_bound = result.error > 0;
+        if (!result.is_bound) result.error = reached;
         return result;
     }
     // As many nodes as the time is enough for: the work grows with their cube, and the error falls
@@ -47,15 +49,26 @@ Forecast exact_forecast(const Job& job)
     const double all = *light.budget.seconds;
     light.budget.seconds = std::min(all, trial_seconds);
     const Stopwatch since;
-    const double reached = std::min(solve([](double) {}), 0.9), took = since.seconds();
+    const double reached = std::min(exact_values(light, job.header.axes).error, 0.9);
+    const double took = since.seconds();
     result.seconds = took;
     if (reached <= result.error) return result;
     const double wanted = result.error > 0 ? std::log(result.error) / std::log(reached) : INFINITY;
     const double fitting = std::max(1.0, std::cbrt(all / took));
     result.seconds = std::min(all, took * std::pow(wanted, 3));
     result.is_bound = wanted <= fitting;
-    if (!result.is_bound) result.error = std::pow(reached, fitting);
+    constexpr double rounding = 1e-12;
+    if (!result.is_bound) result.error = std::max(std::pow(reached, fitting), rounding);
     return result;
+}
+
+std::optional<double> asked_error(const Job& job)
+{
+    if (job.profile)
+        return job.profile->ring_error ? job.profile->ring_error : job.profile->max_error;
+    if (job.skin) return job.skin->tolerance;
+    if (job.layers) return job.layers->budget.max_error;
+    return job.must_reach ? std::optional(job.max_error) : std::nullopt;
 }
 
 Forecast forecast(const Device& device, const Job& job)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,9 @@
 #include "gonio/job.hpp"
 
 namespace gonio {
+
+/// What the error of an integral is a part of.
+inline constexpr auto integral_error_of = "each value, or of 1 where that is more";
 
 struct Forecast {
     /// Without what the driver takes to build programs that it has not built before; nan where
@@ -20,6 +24,9 @@ struct Forecast {
     bool is_bound = true;       ///< of the error, which else is about that
     double photons = 0;         ///< 0 for solvers without
 };
+
+/// That a job must keep to, or is fitted to, a part of what its forecast's is.
+std::optional<double> asked_error(const Job& job);
 
 /// Takes a fraction of a second. Throws what the job would throw in that time.
 Forecast forecast(const Device& device, const Job& job);

@@ -15,6 +15,7 @@ namespace {
 /// store.
 constexpr double part_of_store_rate = 0.5;
 constexpr std::size_t pilot_values = 1 << 14;
+constexpr double largest_half = 65504;  // what it takes to write is the same of larger ones
 
 /// Rows from the middle of a table, by the reference, and the seconds that they took.
 struct Slice {
@@ -33,7 +34,8 @@ struct Slice {
             const auto [l, v] = vectors.at(first + k / length, k % length);
             const bool lit = l.z > 0 && v.z > 0;
             for (std::size_t c = 0; c < channels; ++c)
-                planes[c].push_back(lit ? static_cast<float>(reference(l, v, c)) : 0);
+                planes[c].push_back(
+                    lit ? static_cast<float>(std::min(reference(l, v, c), largest_half)) : 0);
         }
         seconds = since.seconds();
     }
@@ -68,9 +70,12 @@ WriteSeconds write(const Job& job, const Slice& slice)
 Forecast grid_forecast(const Device& device, const Job& job)
 {
     const Material& material = job.materials[job.materials.size() / 2];
-    constexpr double rounding_to_half = 0x1p-11;
-    Forecast result{.error = accuracy_bound(material) + (job.write.half ? rounding_to_half : 0),
+    Forecast result{.error = accuracy_bound(material),
                     .error_of = "each value from 1e-6 of the largest on"};
+    if (job.write.half) {  // where it has normal numbers
+        result.error += 0x1p-11;
+        result.error_of = "each value from 6.1e-5 on";
+    }
     if (job.fit) {
         result.seconds = *job.seconds;
         return result;

@@ -53,7 +53,7 @@ Forecast integral_forecast(const Device& device, const Job& job)
     const double reached = derive(device, part).largest_error;
     return {.seconds = times * since.seconds(),
             .error = std::max(reached, job.max_error),
-            .error_of = "each value, or of 1 where that is more",
+            .error_of = integral_error_of,
             .is_bound = reached <= job.max_error};
 }
 

@@ -23,14 +23,16 @@ Forecast photon_forecast(const Device& device, const Job& job)
 
     const Budget& budget = job.layers->budget;
     const auto photons = static_cast<double>(found.photons);
+    if (std::isinf(found.error) && !budget.photons && !budget.seconds) return {.seconds = NAN};
     double times = INFINITY;  // as many photons
     if (budget.photons)
         times = static_cast<double>(*budget.photons) * static_cast<double>(parts) / photons;
     if (budget.seconds)
         times = std::min(times, *budget.seconds * found.photons_per_second / photons);
     if (budget.max_error) times = std::min(times, std::pow(found.error / *budget.max_error, 2));
+    times = std::max(times, 1 / photons);
     return {.seconds = times * photons / found.photons_per_second,
-            .error = found.error / std::sqrt(times),
+            .error = std::isinf(found.error) ? NAN : found.error / std::sqrt(times),
             .error_of = "the largest value",
             .is_bound = false,
             .photons = times * photons};

@@ -18,7 +18,7 @@ public:
     {
         job_.path = scratch_.path() / job.path.filename();
         job_.must_reach = false;
-        job_.profile->seconds.reset();
+        if (job_.profile->seconds) job_.profile->seconds = INFINITY;  // batches as in time
         for (std::size_t k = 0; k < job_.skin->ladders.size(); ++k) {
             auto& values = job_.skin->ladders[k].values;
             values = {values[values.size() / 2]};
@@ -36,6 +36,7 @@ public:
     }
 
     double largest_error() const { return std::ranges::max(errors()); }
+    std::string error_of() const { return run_["error_of"]; }
 
     /// As many photons, on the average: wavelengths have photons of their own.
     double times_needed(double error) const
@@ -53,17 +54,7 @@ private:
         if (job_.header.quantity == "reflectance_r")
             return run_["spectra"][0]
                        [job_.profile->ring_error ? "ring_error" : "error_of_largest_value"];
-        if (job_.header.quantity == "preintegrated_rgb")
-            return run_["fits"][0]["gaussians"]["error_rgb"];
-        std::vector<double> errors;
-        const Table table = read_table(job_.path);
-        for (std::size_t c = 0; c < 3; ++c) {
-            std::vector<Fraction> rings;
-            for (std::size_t k = 0; k < table.values[c].size(); ++k)
-                rings.push_back({table.values[c][k], table.values[c + 3][k]});
-            errors.push_back(gonio::largest_error(rings));
-        }
-        return errors;
+        return {run_["error"].get<double>()};
     }
 
     const Device& device_;
@@ -77,7 +68,7 @@ private:
 Forecast profile_forecast(const Device& device, const Job& job)
 {
     const ProfileRequest& wanted = *job.profile;
-    const std::optional<double> asked = wanted.ring_error ? wanted.ring_error : wanted.max_error;
+    const std::optional<double> asked = asked_error(job);
     // Errors that end the work take batches of 1024 photons, and some of these.
     std::uint64_t followed =
         std::min(wanted.photons, std::uint64_t{asked ? 1024 * least_batches : 1 << 13});

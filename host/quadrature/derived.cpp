@@ -69,11 +69,8 @@ Albedos means_of_cells(const Device& device, const Job& job)
 /// Schlick's reflectance is linear in f0, so two channels with f0 = 1 and f0 = 0 say all.
 Albedos split_sum(const Device& device, const Job& job, bool multiscatter)
 {
-    std::vector<Material> materials = job.materials;
-    for (Material& material : materials)
-        for (Lobe& lobe : material.lobes) lobe.set("f0", std::vector{1.0, 0.0});
     Albedos all =
-        integrate(device, materials, job.cells,
+        integrate(device, integrated_materials(job), job.cells,
                   {Fixed::viewer, job.max_error / (multiscatter ? 1 : 2), seconds_of(job)});
     if (multiscatter) {
         std::swap(all.value[0], all.value[1]);
@@ -132,6 +129,17 @@ void check_mirror_term(const Material& material)
 }
 
 }  // namespace
+
+std::vector<Material> integrated_materials(const Job& job)
+{
+    std::vector<Material> materials = job.materials;
+    for (Material& material : materials) {
+        if (job.header.quantity == "kulla_conty") material = white_facets(material);
+        if (!is_split_sum(job.header.quantity)) continue;
+        for (Lobe& lobe : material.lobes) lobe.set("f0", std::vector{1.0, 0.0});
+    }
+    return materials;
+}
 
 std::vector<std::string> derived_channels(const std::string& quantity, const Material& material)
 {

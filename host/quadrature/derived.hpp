@@ -17,6 +17,10 @@ std::vector<std::string> derived_channels(const std::string& quantity, const Mat
 /// Throws UsageError for a material that has no such quantity.
 void check_derived(const std::string& quantity, const Material& material);
 
+/// What is integrated for a job's table: of split sums both ends of f0, of Kulla-Conty facets that
+/// reflect all light, else its materials.
+std::vector<Material> integrated_materials(const Job& job);
+
 /// values[channel][cell] of job.cells, in the order of job.header.
 struct DerivedTable {
     std::vector<std::vector<double>> values;

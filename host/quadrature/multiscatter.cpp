@@ -16,8 +16,14 @@
 namespace gonio {
 namespace {
 
-/// The same facets, reflecting all light.
-Material white(const Material& material)
+double lost(double albedo)
+{
+    return std::max(0.0, 1 - albedo);
+}
+
+}  // namespace
+
+Material white_facets(const Material& material)
 {
     Material result = material;
     Lobe& lobe = result.lobes.front();
@@ -32,13 +38,6 @@ Material white(const Material& material)
     }
     return result;
 }
-
-double lost(double albedo)
-{
-    return std::max(0.0, 1 - albedo);
-}
-
-}  // namespace
 
 double mean_reflectance(const Lobe& lobe, std::size_t channel)
 {
@@ -68,8 +67,7 @@ double mean_reflectance(const Lobe& lobe, std::size_t channel)
 
 Albedos multiscatter_lobe(const Device& device, const Job& job)
 {
-    std::vector<Material> facets;
-    for (const Material& material : job.materials) facets.push_back(white(material));
+    const std::vector<Material> facets = integrated_materials(job);
     // What is lost is divided by its mean, and errors with it.
     const double max_error = job.max_error / 4;
     const Stopwatch since;

@@ -12,6 +12,9 @@ namespace gonio {
 /// E and its mean for facets that reflect all light and F the mean reflectance of a facet.
 Albedos multiscatter_lobe(const Device& device, const Job& job);
 
+/// The same facets, reflecting all light.
+Material white_facets(const Material& material);
+
 /// 2 times the integral of a facet's reflectance times mu over mu.
 double mean_reflectance(const Lobe& lobe, std::size_t channel);
 

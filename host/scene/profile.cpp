@@ -43,7 +43,7 @@ void read_profile_request(const Section& table, const Skin& skin, TableRequest& 
     if (const auto photons = table.find("photons"))
         request.budget.photons = photons->count(2, std::uint64_t{1} << 48);
     if (const auto error = table.find("ring_error"))
-        request.budget.ring_error = error->number(0, 1);
+        request.budget.ring_error = error->number(least_error, 1);
     if (spectrum || request.quantity->id == "profile_rgb") read_bins(table, request);
     if (spectrum) check_wavelengths(table.at("axes"), skin, request.axes[0]);
     if (request.quantity->id != "preintegrated_rgb") return;

@@ -25,7 +25,8 @@ double read_seconds(const Value& value)
 Budget read_budget(const Section& table)
 {
     Budget budget;
-    if (const auto error = table.find("max_error")) budget.max_error = error->number(0, 1);
+    if (const auto error = table.find("max_error"))
+        budget.max_error = error->number(least_error, 1);
     if (const auto time = table.find("time")) budget.seconds = read_seconds(*time);
     if (const auto photons = table.find("photons"))
         budget.photons = photons->count(1, std::uint64_t{1} << 62);

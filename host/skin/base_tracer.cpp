@@ -9,7 +9,6 @@
 #include "photon/checkpoint.hpp"
 
 namespace gonio {
-namespace {
 
 PhotonRequest photon_request(const SpectralBase& base, std::size_t number,
                              const ProfileRequest& request)
@@ -21,8 +20,6 @@ PhotonRequest photon_request(const SpectralBase& base, std::size_t number,
     photons.tallies.spectrum = base.more_absorption;
     return photons;
 }
-
-}  // namespace
 
 BaseTracer::BaseTracer(const Device& device, const std::vector<SpectralBase>& bases,
                        std::size_t number, const ProfileRequest& request,

@@ -11,6 +11,10 @@
 
 namespace gonio {
 
+/// Of the photons of bases[number], which have numbers of their own.
+PhotonRequest photon_request(const SpectralBase& base, std::size_t number,
+                             const ProfileRequest& request);
+
 class BaseTracer {
 public:
     /// Of bases[number]. Bases have photons of their own, whose numbers begin with the base's, and

@@ -50,6 +50,29 @@ void append_sphere(Table& table, const SumOfGaussians& profile, const Axis& cosi
         }
 }
 
+/// The largest of all channels and sets, and what it is a part of.
+void tell_error(nlohmann::ordered_json& run, const Job& job, const Table& table)
+{
+    double largest = 0;
+    const std::size_t rings = job.header.row_length();
+    if (job.header.quantity == "profile_rgb") {
+        for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t k = 0; k < table.values[c].size(); k += rings) {
+                std::vector<Fraction> densities;
+                for (std::size_t ring = k; ring < k + rings; ++ring)
+                    densities.push_back({table.values[c][ring], table.values[c + 3][ring]});
+                largest = std::max(largest, largest_error(densities));
+            }
+        run["error_of"] = "a channel's largest value";
+    } else {
+        for (const auto& fit : run.at("fits"))
+            for (const double error : fit.at("gaussians").at("error_rgb"))
+                largest = std::max(largest, error);
+        run["error_of"] = "the profile, by Gaussians";
+    }
+    run["error"] = largest;
+}
+
 nlohmann::ordered_json make_colour_table(const Device& device, const Job& job,
                                          const std::function<void(double)>& after_each)
 {
@@ -69,7 +92,9 @@ nlohmann::ordered_json make_colour_table(const Device& device, const Job& job,
     std::uint64_t photons = UINT64_MAX;  // of each set, at least
     for (const auto& fit : traced.beside)
         photons = std::min(photons, fit.at("photons").get<std::uint64_t>());
-    return {{"photons", photons}, {"fits", traced.beside}};
+    nlohmann::ordered_json run{{"photons", photons}, {"fits", traced.beside}};
+    tell_error(run, job, traced.table);
+    return run;
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ public:
         for (;; ++passes_) {
             state_["parts_of_errors"] = parts_of_errors_;
             state_["passes"] = passes_;
-            const RadialSpectrum spectrum = trace_bases();
+            RadialSpectrum spectrum = trace_bases();
             if (ended_ || !to_error() || !ask_for_more(spectrum)) return spectrum;
         }
     }

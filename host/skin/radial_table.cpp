@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "gonio/errors.hpp"
@@ -59,7 +60,8 @@ double largest_of(const ordered_json& spectra, const std::string& key)
 {
     double largest = 0;
     for (const auto& spectrum : spectra)
-        for (const double error : spectrum.at(key)) largest = std::max(largest, error);
+        for (const auto& error : spectrum.at(key))  // infinite ones of a checkpoint are null
+            largest = std::max(largest, error.is_null() ? INFINITY : error.get<double>());
     return largest;
 }
 
@@ -98,7 +100,13 @@ ordered_json make_radial_table(const Device& device, const Job& job,
                 "the values, in a wavelength's root mean square,", photons);
     }
     write_table(job.path, job.format, traced.table, job.write);
-    return {{"photons", photons}, {"kernel_seconds", seconds}, {"spectra", traced.beside}};
+    const bool rings = job.profile->ring_error.has_value();
+    return {{"photons", photons},
+            {"kernel_seconds", seconds},
+            {"error", largest_of(traced.beside, rings ? "ring_error" : "error_of_largest_value")},
+            {"error_of", rings ? "each ring, in the root of their mean square"
+                               : "a wavelength's largest value"},
+            {"spectra", traced.beside}};
 }
 
 }  // namespace gonio

@@ -98,7 +98,8 @@ nlohmann::ordered_json make_skin_table(const Job& job,
         write_table(job.path, job.format, {job.header, std::move(solved.values)}, job.write);
         return {{"sets", sets_of(*job.skin).size()},
                 {"wavelengths", job.skin->wavelengths.size()},
-                {"error", solved.error}};
+                {"error", solved.error},
+                {"error_of", "the light"}};
     });
 }
 

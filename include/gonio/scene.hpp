@@ -45,6 +45,9 @@ struct SceneMaterial {
     std::optional<Lobe> surface = {};  ///< of layers and skin in pictures
 };
 
+/// No error is smaller: what rounding to double leaves in sums.
+constexpr double least_error = 1e-14;
+
 /// How exact, how long or how many: what is not set is not limited.
 struct Budget {
     std::optional<double> max_error;  ///< of a table's largest value

@@ -60,8 +60,9 @@ class Tables(GonioCase):
         none = ("table", "lambert", "-o", "none.npy")
         for words, message in (
             (("--time", "5"), 'allowed is a time such as "5 s"'),
-            (("--max-error", "2"), "--max-error is 2; allowed is 0 to 1"),
-            (("--max-error", "nan"), "allowed is 0 to 1"),
+            (("--max-error", "2"), "--max-error is 2; allowed is 1e-14 to 1"),
+            (("--max-error", "nan"), "allowed is 1e-14 to 1"),
+            (("--max-error", "0"), "allowed is 1e-14 to 1"),
             (("--max-error", "0.1", "--grid", "4x4x4"), "--grid has counts"),
             (("--interpolation", "cubic"), "--max-error or --time"),
         ):

@@ -17,7 +17,7 @@ TEST_F(Tiles, AreThoseThatAreComputed)
 {
     // Reciprocal, so that tiles are whole squares of rows, and not.
     for (const auto* model : {"ward", "lambert"})
-        for (const std::size_t bytes : {1, 20'000, 100'000, 1 << 26}) {
+        for (const std::size_t bytes : {1U, 20'000U, 100'000U, 1U << 26}) {
             const Material material{"m", {default_lobe(model)}};
             const Grid grid = isotropic_grid(16, 16, 64, Samples::centre);
             const bool reciprocal = is_reciprocal(material, Measure::brdf, grid);

@@ -98,6 +98,29 @@ TEST_F(LightTables, StopAtTheirBudget)
     EXPECT_GT(make(job(bins + "time = \"0.1 s\"\n")).photons, 0U);
 }
 
+/// So dark that no photon comes through: nothing tells how exact zeros are.
+TEST_F(LightTables, SayWhereNoLightHasCome)
+{
+    const std::string dark =
+        "quantity = \"transmittance_r\"\naxes = { r = { to = 0.5, count = 4 } }\n";
+    const auto of = [&](const std::string& budget) {
+        return plan_jobs(parse_scene("[[material]]\nname = \"dark\"\nlayers = [ { mua = 900, mus = "
+                                     "100, g = 0.5, n = 1.4, d = 1 } ]\n[[table]]\nmaterial = "
+                                     "\"dark\"\n" +
+                                         dark + budget,
+                                     "s.toml"),
+                         testing::TempDir())
+            .front();
+    };
+    EXPECT_TRUE(std::isinf(make(of("photons = 4096\n")).error));
+    Job endless = of("max_error = 0.01\n");
+    std::filesystem::remove(endless.path);
+    EXPECT_THROW(make(endless), RunError);
+    EXPECT_FALSE(std::filesystem::exists(endless.path));
+    endless.must_reach = false;
+    EXPECT_EQ(make(endless).photons, 1U << 24);
+}
+
 /// As many nodes as there is time for, with the error that they have.
 TEST_F(LightTables, StopAtTheirTimeWithoutNoise)
 {

@@ -79,6 +79,23 @@ TEST(PlanInWords, SaysWhichChannelsAndFactorsAreNotComputed)
                                                         "weights", "tangent frames"}));
 }
 
+TEST(PlanInWords, KnowsTheProgramsOfIntegrals)
+{
+    const auto integral = [](const std::string& quantity, const std::string& axes) {
+        return plan_of(
+            "[[material]]\nname = \"a\"\nlobes = [ { model = \"ggx\", parameters = { f0 "
+            "= [0.5, 0.6, 0.7] } } ]\n[[table]]\nmaterial = \"a\"\nquantity = \"" +
+            quantity + "\"\naxes = { " + axes + " }\n");
+    };
+    const std::string mu = "mu = { to = 1, count = 3 }";
+    EXPECT_EQ(integral("directional_albedo", mu).definitions,
+              (std::vector<std::string>{"CHANNELS=3", "ISOTROPIC=1"}));
+    EXPECT_EQ(integral("dfg", mu).definitions.front(), "CHANNELS=2");
+    EXPECT_EQ(integral("kulla_conty", "mu_i = { to = 1, count = 3 }, mu_o = { to = 1, count = 3 }")
+                  .definitions.front(),
+              "CHANNELS=1");
+}
+
 TEST(PlanInWords, SaysWhichLayersAreNotNeeded)
 {
     const std::string layers =
@@ -119,6 +136,16 @@ TEST(PlanInWords, SaysWhatSkinLeavesOut)
     ASSERT_EQ(scattering.left_out.size(), 1U);
     EXPECT_GT(scattering.left_out[0].saving, 4);
     EXPECT_LT(scattering.left_out[0].saving, 8);
+
+    const JobPlan colour = skin("pyxopto", "quantity = \"colour_rgb\"\n");
+    EXPECT_EQ(colour.solver, "adding_doubling");
+    EXPECT_EQ(left_out(colour), std::vector<std::string>{"photons"});
+    const JobPlan profile = skin("pyxopto",
+                                 "quantity = \"profile_rgb\"\n"
+                                 "axes = { r = { to = 0.1, count = 9 } }\n");
+    EXPECT_NE(std::ranges::find(profile.definitions, "SPECTRUM_ROWS=10"),
+              profile.definitions.end());
+    EXPECT_GT(profile.tally_bytes, 9 * 4 * sizeof(std::uint64_t));  // bases of four and more
 
     const JobPlan fold = skin("pyxopto",
                               "quantity = \"transmittance_rgb\"\naxes = { d = { values = "

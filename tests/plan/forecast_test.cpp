@@ -100,6 +100,10 @@ TEST_F(Forecasts, OfLayersWithoutNoiseKnowTheirErrorAndTime)
     EXPECT_THAT(expected.seconds, AllOf(Gt(seconds / 3), Lt(seconds * 3)));
 
     EXPECT_EQ(of(job_of(slab, "quantity = \"light_budget\"\n")).error, 1e-6);
+    // Known when all is done, within the trial.
+    const Forecast paths = of(job_of(slab, "quantity = \"mean_path\"\n"));
+    EXPECT_THAT(paths.error, AllOf(Gt(1e-8), Lt(1e-4)));
+    EXPECT_FALSE(paths.is_bound);
     const Forecast soon = of(job_of(slab, grid + "time = 0.5\n"));
     const Forecast later = of(job_of(slab, grid + "time = 4\n"));
     EXPECT_FALSE(later.is_bound);
@@ -180,6 +184,21 @@ TEST_F(Forecasts, OfLightThatSpreadsInSkinAreAboutWhatComes)
     EXPECT_GT(in_time.error, 1e-9);
 }
 
+TEST_F(Forecasts, KnowWhatIsAsked)
+{
+    const std::string mean = "quantity = \"mean_albedo\"\n";
+    EXPECT_EQ(asked_error(job_of(slab, mean)), std::nullopt);
+    EXPECT_EQ(asked_error(job_of(slab, mean + "max_error = 1e-4\n")), 1e-4);
+    EXPECT_EQ(asked_error(job_of("model = \"ggx\"", mean)), std::nullopt);
+    EXPECT_EQ(asked_error(job_of("model = \"ggx\"", mean + "max_error = 1e-4\n")), 1e-4);
+    const std::string skin = "skin = \"meglinski_2002\"";
+    EXPECT_EQ(asked_error(job_of(skin, "quantity = \"colour_rgb\"\nmax_error = 1e-3\n")), 1e-3);
+    const std::string profile =
+        "quantity = \"reflectance_r\"\naxes = { wavelength = { values = [500] }, r = { to = 0.1, "
+        "count = 2 } }\n";
+    EXPECT_EQ(asked_error(job_of(skin, profile + "ring_error = 0.3\n")), 0.3);
+}
+
 // Where next to no light comes nobody can tell how long it takes to see it.
 TEST_F(Forecasts, SayWhereTheyKnowNothing)
 {
@@ -188,6 +207,10 @@ TEST_F(Forecasts, SayWhereTheyKnowNothing)
                                     "= [400] }, r = { to = 2, count = 10 } }\nring_error = 0.1\n"));
     EXPECT_TRUE(std::isnan(dark.seconds));
     EXPECT_TRUE(std::isnan(dark.error));
+    const Forecast deep = of(job_of("layers = [ { mua = 900, mus = 100, n = 1.4, d = 1 } ]",
+                                    "quantity = \"transmittance_r\"\naxes = { r = { to = 1, count "
+                                    "= 4 } }\nmax_error = 0.01\n"));
+    EXPECT_TRUE(std::isnan(deep.seconds));
 }
 
 TEST_F(Forecasts, CostNothingWhereNothingIsMade)

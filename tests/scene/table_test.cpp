@@ -105,7 +105,7 @@ TEST(BadTable, StoresWhatAFormatCannotHold)
 
 TEST(BadTable, HasABudget)
 {
-    EXPECT_EQ(bad_request("max_error = @-1"), "`max_error` is -1; allowed is 0 to 1");
+    EXPECT_EQ(bad_request("max_error = @-1"), "`max_error` is -1; allowed is 1e-14 to 1");
     EXPECT_EQ(bad_request("photons = @0.5"),
               "`photons` is 0.5; allowed is a whole number from 1 to 4611686018427387904");
     for (const std::string time : {"", "5", "5 parsec", "s", "-1 s", "1e99 s", "nan s"})
