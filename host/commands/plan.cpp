@@ -116,7 +116,7 @@ void print(const Job& job, const JobPlan& plan, const Forecast& forecast)
     print(plan.left_out);
 }
 
-nlohmann::ordered_json json_of(const PicturePlan& plan, unsigned width)
+nlohmann::ordered_json json_of(const PicturePlan& plan, unsigned width, double seconds)
 {
     nlohmann::ordered_json stages = nlohmann::ordered_json::array();
     for (const PictureStage& stage : plan.stages)
@@ -124,12 +124,16 @@ nlohmann::ordered_json json_of(const PicturePlan& plan, unsigned width)
                           {"kernel", stage.kernel},
                           {"definitions", stage.definitions},
                           {"share", stage.share}});
-    return {{"width", width}, {"stages", stages}, {"left_out", json_of(plan.left_out)}};
+    return {{"width", width},
+            {"seconds", seconds},
+            {"stages", stages},
+            {"left_out", json_of(plan.left_out)}};
 }
 
-void print(const PictureRequest& picture, const PicturePlan& plan, unsigned width)
+void print(const PictureRequest& picture, const PicturePlan& plan, unsigned width, double seconds)
 {
-    fmt::print("picture: {} x {} pixels, width {}\n", picture.width, picture.height, width);
+    fmt::print("picture: {} x {} pixels, width {}, about {}\n", picture.width, picture.height,
+               width, time_text(seconds));
     for (const PictureStage& stage : plan.stages) {
         fmt::print("    {}", stage.what);
         if (!stage.kernel.empty()) fmt::print(", {}", stage.kernel);
@@ -157,17 +161,21 @@ void plan_scene(const PlanOptions& options)
                 {"all of it", fmt::format("it equals {}", twin->path.string()), {}});
     }
     std::optional<PicturePlan> picture;
-    if (scene.picture) picture = explain(device, *scene.picture, scene.materials);
+    double picture_takes = 0;
+    if (scene.picture) {
+        picture = explain(device, *scene.picture, scene.materials);
+        picture_takes = picture_seconds(device, *scene.picture, scene.materials);
+    }
     if (!options.json) {
         for (std::size_t k = 0; k < jobs.size(); ++k) print(jobs[k], plans[k], costs[k]);
-        if (picture) print(*scene.picture, *picture, device.width());
+        if (picture) print(*scene.picture, *picture, device.width(), picture_takes);
         if (!jobs.empty()) fmt::print("\n{}", estimate_text(jobs, costs));
         return;
     }
     nlohmann::ordered_json json{{"tables", nlohmann::ordered_json::array()}};
     for (std::size_t k = 0; k < jobs.size(); ++k)
         json["tables"].push_back(json_of(jobs[k], plans[k], costs[k]));
-    if (picture) json["picture"] = json_of(*picture, device.width());
+    if (picture) json["picture"] = json_of(*picture, device.width(), picture_takes);
     fmt::print("{}\n", json.dump(2));
 }
 

@@ -6,6 +6,7 @@
 
 #include "photon/asked_layers.hpp"
 #include "photon/exact_values.hpp"
+#include "picture/picture_material.hpp"
 #include "plan/batch.hpp"
 #include "plan/forecast_parts.hpp"
 #include "plan/trial.hpp"
@@ -81,6 +82,21 @@ Forecast forecast(const Device& device, const Job& job)
         return job.layers->solver == "monte_carlo" ? photon_forecast(device, job)
                                                    : exact_forecast(job);
     });
+}
+
+double picture_seconds(const Device& device, const PictureRequest& picture,
+                       const std::vector<SceneMaterial>& materials)
+{
+    constexpr double several_parts = 1;
+    const double all = work_of(picture, materials);
+    double done = 0;
+    return seconds_by_trial(
+        [&](const auto& after_part) {
+            make_picture(device, picture, materials, [&](std::string_view, double amount) {
+                if (amount > 0) after_part((done += amount) / all);
+            });
+        },
+        several_parts);
 }
 
 std::vector<Forecast> forecasts(const Device& device, const std::vector<Job>& jobs)

@@ -9,6 +9,7 @@
 
 #include "gonio/device.hpp"
 #include "gonio/job.hpp"
+#include "gonio/picture.hpp"
 
 namespace gonio {
 
@@ -30,6 +31,10 @@ std::optional<double> asked_error(const Job& job);
 
 /// Takes a fraction of a second. Throws what the job would throw in that time.
 Forecast forecast(const Device& device, const Job& job);
+
+/// What a picture takes, s, by the beginning of it. Throws as make_picture().
+double picture_seconds(const Device& device, const PictureRequest& picture,
+                       const std::vector<SceneMaterial>& materials);
 
 /// Of a batch: nothing is computed of what an earlier run has finished or what equals another job.
 std::vector<Forecast> forecasts(const Device& device, const std::vector<Job>& jobs);

@@ -108,6 +108,7 @@ class Picture(GonioCase):
         plan = subprocess.run([GONIO, "plan", self.scene(), "--json"], cwd=self.at, check=True,
                               capture_output=True).stdout
         picture = json.loads(plan)["picture"]
+        self.assertGreater(picture["seconds"], 0)
         self.assertEqual([stage["kernel"] for stage in picture["stages"]], ["", "table.cl"])
         self.assertIn({"what": "albedo of `grey`", "why": "there is no uniform light"},
                       picture["left_out"])
