@@ -56,7 +56,7 @@ void print(const std::vector<Verdict>& verdicts)
 void verify(const VerifyOptions& options)
 {
     const Device device = options.device.open();
-    if (options.extreme) return verify_extremes(device, options.json);
+    if (options.extreme) return verify_extremes(device, options.models, options.json);
     std::vector<const Model*> chosen;
     for (const std::string& name : options.models) chosen.push_back(default_lobe(name).model);
     if (chosen.empty())
@@ -99,11 +99,10 @@ void add_verify(CLI::App& app)
     CLI::App* verb = app.add_subcommand(
         "verify", "Compare every model on the device with its reference, extremes included");
     const auto options = std::make_shared<VerifyOptions>();
-    CLI::Option* models = verb->add_option("MODEL", options->models, "only these models");
+    verb->add_option("MODEL", options->models, "only these models");
     CLI::Option* quick = verb->add_flag("--quick", options->quick, "A small part of the cases");
     verb->add_flag("--extreme", options->extreme,
                    "Stiff and extreme cases by name, with what textbook formulas make of them")
-        ->excludes(models)
         ->excludes(quick);
     verb->add_flag("--json", options->json, "Print JSON");
     options->device.add_to(*verb);

@@ -9,7 +9,7 @@
 namespace gonio::reference {
 
 /// W(g, b) = sum over m >= 1 of e^-g g^m/(m! m) e^(-b/m): Beckmann & Spizzichino 1963, 5.3. g, b >=
-/// 0. Relative error below 1e-10 for g up to 1e8.
+/// 0. Relative error below 1e-10 for g up to 2e8.
 double wave_series(double g, double b);
 
 /// g = (2 pi sigma/lambda cosines)^2, the variance of the phase; members and units as below.

@@ -112,6 +112,15 @@ class Cli(GonioCase):
         self.gonio("run", "missing.toml", code=2)
         self.gonio("info", "missing.exr", code=1)
         self.gonio("verify", "--width", "3", code=2)
+        self.assertIn("`lambert`", self.gonio("verify", "--extreme", "lambert", code=2))
+
+    def test_extreme_cases_of_one_model(self):
+        report = json.loads(self.gonio("verify", "--extreme", "oren_nayar", "--json"))
+        self.assertNotIn("media", report)
+        self.assertEqual(len(report["spots"]), 3)
+        for spot in report["spots"]:
+            self.assertTrue(spot["name"].startswith("Oren-Nayar"), spot["name"])
+            self.assertTrue(spot["passed"], spot["name"])
 
 
 if __name__ == "__main__":

@@ -27,6 +27,10 @@ grep -q "PASSED.* [1-9][0-9]* test" "$scratch/out"
 run --uninitialized --data-races "$1" --gtest_filter='Spread.EvenLight*'
 grep -q "PASSED.* [1-9][0-9]* test" "$scratch/out"
 
+# Where formulas are ill-conditioned, within their bounds here too.
+run --uninitialized "$2" verify --extreme \
+    ggx ward phong blinn_phong ashikhmin_shirley oren_nayar beckmann_kirchhoff
+
 models=$("$2" models --json | sed -n 's/^ *"id": "\(.*\)",$/\1/p')
 for model in ${models:?}; do
     run --uninitialized "$2" eval "$model" --at - <<<$'30,0,40,180\n0,0,0,0\n90,0,80,10'

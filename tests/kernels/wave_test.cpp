@@ -14,11 +14,12 @@ struct Arguments {
     std::vector<float> g, b;
 };
 
-/// g from 1e-6 to 4e7, which is the catalogue's range, both sides of where the method changes among
-/// them; b/g from 0 to 30, where W has fallen to e^-30 at the most, and b likewise for small g.
+/// g from 1e-8 to 1.6e8, which is the catalogue's range, both sides of where the method changes
+/// among them; b/g from 0 to 30, where W has fallen to e^-30 at the most, and b likewise for small
+/// g.
 Arguments arguments()
 {
-    std::vector<float> all_g = floats_between(1e-6F, 4e7F, 272);
+    std::vector<float> all_g = floats_between(1e-8F, 1.6e8F, 272);
     for (const float g : {63.9F, 64.0F, 64.00001F, 64.1F, 65.0F, 70.0F, 80.0F, 100.0F})
         all_g.push_back(g);
     Arguments at;

@@ -84,7 +84,7 @@ TEST(WaveSeriesTest, ClosedFormInTheMirrorDirection)
 // e^-t/g (1 + (1 - 2 t + t^2/2)/g + ...) with t = b/g.
 TEST(WaveSeriesTest, RoughLimit)
 {
-    for (const double g : {1e6, 1e7, 1e8})
+    for (const double g : {1e6, 1e7, 2e8})
         for (const double t : {0.0, 1.0, 12.0}) {
             const double limit = std::exp(-t) / g * (1 + (1 - 2 * t + t * t / 2) / g);
             EXPECT_NEAR(wave_series(g, t * g) / limit, 1, 2e-8) << g << ", " << t;

@@ -38,7 +38,7 @@ TEST(HardSpots, KeepTheirBoundsWhereTextbooksDoNot)
         EXPECT_TRUE(verdict.passed()) << spot.name << ": " << verdict.device.relative;
         if (verdict.textbook.not_finite > 0 || verdict.textbook.relative > verdict.bound) ++lost;
     }
-    EXPECT_GE(lost, 13U);
+    EXPECT_GE(lost, 20U);
 }
 
 TEST(HardMedia, AgreeWithAddingDoubling)
