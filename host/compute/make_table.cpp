@@ -7,6 +7,7 @@
 #include "gonio/errors.hpp"
 #include "opencl/store_rate.hpp"
 #include "quadrature/make_integrals.hpp"
+#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
@@ -58,8 +59,10 @@ MadeTable make_table(const Device& device, const Job& job,
         };
         made.report = compute_grid(device, material, job.measure, job.grid, write, options);
         made.kernel_seconds += made.report.kernel_seconds;
+        const Stopwatch checking;
         made.accuracy.merge(
             check.finish(make_reference(material, job.measure), direction_rounding(material)));
+        made.checking_seconds += checking.seconds();
     }
     made.cells = job.header.cells();
     require_accuracy(device, job, made.accuracy);
@@ -92,6 +95,7 @@ nlohmann::ordered_json run_information(const Device& device, const MadeTable& ma
             {"tiles", made.report.tiles},
             {"kernel_seconds", made.kernel_seconds},
             {"build_seconds", made.report.build_seconds},
+            {"checking_seconds", made.checking_seconds},
             {"mirrored", made.report.mirrored},
             {"reciprocal", made.report.reciprocal},
             {"largest_relative_error", made.accuracy.relative},

@@ -24,6 +24,7 @@ struct MadeTable {
     std::size_t cells = 0;                    ///< cells times sweep points
     std::optional<IntegralReport> integrals;  ///< then accuracy.relative is their largest error
     double kernel_seconds = 0;
+    double checking_seconds = 0;  ///< on all cores, where a grid is compared with the reference
     double store_fraction = 0;  ///< of the rate at which the device writes the same number of bytes
     ComputeReport report;       ///< of the last sweep point
     Accuracy accuracy;

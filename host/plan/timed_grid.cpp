@@ -2,26 +2,20 @@
 // Grids as fine as a time allows.
 #include "plan/timed_grid.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
-#include "compute/make_table.hpp"
 #include "gonio/errors.hpp"
 #include "plan/batch.hpp"
+#include "plan/cells_in_time.hpp"
 #include "plan/fitted_grid.hpp"
 #include "plan/grid_header.hpp"
 #include "plan/interrupt.hpp"
-#include "stopwatch.hpp"
 
 namespace gonio {
 namespace {
 
 constexpr double shape_error = 0.1;  // of the fit that tells how fine angles are by each other
-constexpr double first_cells =
-    0x1p14;                   // of the smallest table that is made to see how long it takes
-constexpr double part = 0.8;  // of the time is planned with
-constexpr double pilot_part =
-    1.0 / 16;  // of it, at most, for tables that are only made to be timed
+constexpr double part = 0.8;         // of the time is planned with
 
 /// The grid of a table that is there already, if nothing else of it differs.
 void keep_earlier_grid(Job& job)
@@ -47,62 +41,15 @@ void keep_earlier_grid(Job& job)
     job.fit.reset();
 }
 
-/// A file that is gone at the end.
-class Pilot {
-public:
-    explicit Pilot(const Job& job) : job_(job)
-    {
-        std::filesystem::create_directories(job.path.parent_path());
-        job_.path.replace_extension(".pilot" + job.path.extension().string());
-        job_.must_reach = false;
-    }
-    ~Pilot()
-    {
-        std::error_code ignored;
-        std::filesystem::remove(job_.path, ignored);
-    }
-    Pilot(const Pilot&) = delete;
-    Pilot& operator=(const Pilot&) = delete;
-
-    double seconds(const Device& device, const Grid& grid, const ComputeOptions& options)
-    {
-        set_grid(job_, grid, 1);
-        const Stopwatch since;
-        make_table(
-            device, job_, [](std::size_t) { throw_if_interrupted(); }, options);
-        return since.seconds();
-    }
-
-private:
-    Job job_;
-};
-
-/// Tables grow until one takes a good part of the time: what it takes for itself counts less then.
-double cells_in_time(const Device& device, const Job& job, const Counts& shape,
-                     const ComputeOptions& options)
-{
-    Pilot pilot(job);
-    pilot.seconds(device, coarsest_grid(*job.fit), options);  // builds the program
-    const double time = part * *job.seconds;
-    for (double cells = first_cells;;) {
-        const Counts counts = scaled(shape, cells);
-        const double took = pilot.seconds(device, grid_of(*job.fit, counts), options);
-        const double fitting = cells_of(counts) * time / took;
-        if (took > pilot_part * time || fitting >= most_cells) return std::min(fitting, most_cells);
-        cells = std::max(2 * cells, fitting * pilot_part);
-    }
-}
-
 void fit_to_time(const Device& device, Job& job, const ComputeOptions& options)
 {
     const GridFitter fitter(job, *job.fit);
     const Counts shape = fitter.fit(shape_error).counts;
-    const double cells = cells_in_time(device, job, shape, options);
-    if (job.max_error > 0) {
-        const FittedCounts exact = fitter.fit(job.max_error);
-        if (cells_of(exact.counts) <= cells)
-            return set_grid(job, grid_of(*job.fit, exact.counts), exact.error);
-    }
+    const FittedCounts exact = job.max_error > 0 ? fitter.fit(job.max_error) : FittedCounts{};
+    const double most = exact.counts.empty() ? most_cells : cells_of(exact.counts);
+    const double cells = cells_in_time(device, job, shape, most, part * *job.seconds, options);
+    if (cells >= most && !exact.counts.empty())
+        return set_grid(job, grid_of(*job.fit, exact.counts), exact.error);
     const Counts counts = scaled(shape, cells);
     set_grid(job, grid_of(*job.fit, counts), fitter.error(counts));
 }

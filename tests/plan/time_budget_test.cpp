@@ -13,6 +13,7 @@
 #include "gonio/errors.hpp"
 #include "plan/batch.hpp"
 #include "plan/fitted_grid.hpp"
+#include "plan/table_cost.hpp"
 #include "plan/timed_grid.hpp"
 #include "quadrature/derived.hpp"
 #include "stopwatch.hpp"
@@ -104,7 +105,7 @@ TEST_F(TimeBudget, OfIntegralsMayNotBeEnough)
 TEST_F(TimeBudget, OfGridsIsKeptAndTheirErrorIsRight)
 {
     std::size_t before = 0;
-    for (const double seconds : {0.05, 0.8}) {
+    for (const double seconds : {0.05, 0.5}) {
         const Job job = timed(fmt::format("time = {}\n", seconds));
         EXPECT_GT(job.header.cells(), before);
         before = job.header.cells();
@@ -126,6 +127,24 @@ TEST_F(TimeBudget, OfGridsIsKeptAndTheirErrorIsRight)
         EXPECT_EQ(again.header.cells(), before);
     }
     EXPECT_GT(before, 100'000U);
+}
+
+// Of that time what every table takes is apart, and what only small ones do, all of whose values
+// are compared with the reference.
+TEST(TableCost, IsRightForTablesOfOtherSizes)
+{
+    constexpr double small = 0.1, cell = 1e-6, value = 3e-7, channels = 3;
+    const auto taken = [&](double cells) {
+        const double checking =
+            value * double(AccuracyCheck::compared(static_cast<std::size_t>(channels * cells)));
+        return TableSeconds{small + cell * cells + checking, checking};
+    };
+    for (const double seen : {2e4, 1e6}) {
+        const TableCost cost(small, taken(seen), seen, channels);
+        for (const double cells : {1e3, 1e5, 3e5, 1e7})
+            EXPECT_NEAR(cost.cells_in(taken(cells).all), cells, 1e-6 * cells) << seen;
+        EXPECT_EQ(cost.cells_in(small / 2), 0);
+    }
 }
 
 TEST_F(TimeBudget, OfGridsEndsWhereTheErrorIsReached)
