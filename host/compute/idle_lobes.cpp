@@ -34,8 +34,15 @@ Material without_idle_lobes(const Material& material)
 {
     Material rest = material;
     std::erase_if(rest.lobes, is_idle);
-    const bool same = !rest.lobes.empty() && rest.channels() == material.channels();
-    return same ? rest : material;
+    if (rest.lobes.empty()) {
+        // A program has one lobe at least: the one that costs least.
+        rest.lobes = {default_lobe("lambert")};
+        rest.lobes.front().weight = {0};
+    }
+    // The lobes that are gone may have been the only ones with numbers for each channel.
+    std::vector<double>& weight = rest.lobes.front().weight;
+    if (rest.channels() < material.channels()) weight.assign(material.channels(), weight.front());
+    return rest;
 }
 
 std::vector<std::size_t> lobes_with_light(const std::vector<Material>& materials)

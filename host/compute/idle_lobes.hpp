@@ -17,7 +17,8 @@ std::optional<double> even_facet_reflectance(const Lobe& lobe);
 /// Does the lobe add nothing: is its weight 0, or has it no reflectance, in every channel?
 bool is_idle(const Lobe& lobe);
 
-/// The material without its idle lobes, where it keeps its channels and at least one lobe.
+/// The material without its idle lobes, with the same channels; a Lambertian surface of weight 0
+/// where no lobe is left.
 Material without_idle_lobes(const Material& material);
 
 /// Which lobes of materials that have the same ones are not idle in all of them.

@@ -84,7 +84,31 @@ TEST(IdleLobes, ReflectNothingInAnyModelThatSaysSo)
     EXPECT_EQ(found, 10U);
 }
 
-/// Materials whose colours, or facets, ask for different programs.
+TEST(IdleLobes, GoWithoutTheirChannels)
+{
+    const Material coloured{
+        "m", {lobe("phong"), lobe("ward", {{"rho_s", {0.1, 0.2, 0.3}}, {"weight", {0}}})}};
+    const Material rest = without_idle_lobes(coloured);
+    ASSERT_EQ(rest.lobes.size(), 1U);
+    EXPECT_EQ(rest.lobes[0].model->id, "phong");
+    EXPECT_EQ(rest.channels(), 3U);
+    EXPECT_EQ(distinct_channels(rest).material.channels(), 1U);
+}
+
+TEST(IdleLobes, LeaveALambertianSurfaceWithoutWeight)
+{
+    const Lobe clear = facets("dielectric", {1, 1, 1}),
+               unweighted = lobe("beckmann_kirchhoff", {{"weight", {0, 0, 0}}});
+    for (const std::vector<Lobe>& idle : {std::vector{clear}, {unweighted}, {unweighted, clear}}) {
+        const Material rest = without_idle_lobes({"m", idle});
+        ASSERT_EQ(rest.lobes.size(), 1U);
+        EXPECT_EQ(rest.lobes[0].model->id, "lambert");
+        EXPECT_EQ(rest.channels(), 3U);
+        EXPECT_TRUE(is_idle(rest.lobes[0]));
+    }
+}
+
+/// Materials whose colours, or facets, ask for different programs; or of which nothing is left.
 Material coloured(int pattern, std::mt19937& random)
 {
     const auto number = [&] { return std::uniform_real_distribution<double>(0.05, 0.95)(random); };
@@ -92,6 +116,8 @@ Material coloured(int pattern, std::mt19937& random)
     Lobe smooth = facets("dielectric", {eta});
     smooth.set("alpha", Numbers{number()});
     Material material{"m", {lobe("lambert", {{"rho", {a, b, c}}}), smooth}};
+    if (pattern == 4)
+        return {"m", {facets("dielectric", {1}), lobe("ward", {{"weight", {0, 0, 0}}})}};
     if (pattern == 1) material.lobes[0].set("rho", Numbers{a, a, a});
     if (pattern == 2) material.lobes[0].set("rho", Numbers{a, b, a});
     if (pattern < 3) return material;
@@ -116,10 +142,10 @@ TEST_F(LeftOut, ChannelsAndFacetsChangeNoBitOfEightyTables)
     };
     std::mt19937 random(1);
     for (int table = 0; table < 80; ++table) {
-        const Material material = coloured(table % 4, random);
+        const Material material = coloured(table % 5, random);
         const std::size_t size = 2 + random() % 4;
-        const Grid grid =
-            isotropic_grid(size, size + random() % 2, 32 + random() % 40, Samples::centre, 360);
+        const Grid grid = isotropic_grid(size, size + random() % 2, 32 + random() % 40,
+                                         table % 2 == 0 ? Samples::centre : Samples::node, 360);
         EXPECT_EQ(values(material, grid, true), values(material, grid, false)) << table;
     }
 }

@@ -77,6 +77,13 @@ TEST(PlanInWords, SaysWhichChannelsAndFactorsAreNotComputed)
         grid);
     EXPECT_EQ(left_out(dark), (std::vector<std::string>{"21 of 22 models", "1 of 2 lobes",
                                                         "weights", "tangent frames"}));
+    const JobPlan black = plan_of(
+        "[[material]]\nname = \"a\"\nlobes = [ { model = \"ward\", weight = 0 }, { model = "
+        "\"ggx\", "
+        "parameters = { fresnel = \"dielectric\", eta = 1 } } ]\n" +
+        grid);
+    EXPECT_EQ(black.left_out[0].what, "21 of 22 models");
+    EXPECT_EQ(black.left_out[1].what, "1 of 2 lobes");
 }
 
 TEST(PlanInWords, KnowsTheProgramsOfIntegrals)
