@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "compute/make_table.hpp"
+#include "output/half_rounding.hpp"
 #include "photon/light_table.hpp"
 #include "plan/batch.hpp"
 #include "plan/estimate.hpp"
@@ -133,7 +134,18 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
         made.emplace_back(job, make_table(device, job, after_rows, {.leave_out = leave_out}));
         return run_information(device, made.back().second);
     };
-    const BatchReport report = run_batch(jobs, make, leave_out ? Keep::finished : Keep::nothing);
+    bool rounded = false;
+    const auto make_and_round = [&](const Job& job, Progress& progress) {
+        nlohmann::ordered_json run = make(job, progress);
+        if (job.format != "exr" || !job.write.half) return run;
+        rounded = true;
+        run["rounding_to_half"] = {{"relative", half_rounding::relative},
+                                   {"absolute", half_rounding::absolute},
+                                   {"absolute_below", half_rounding::least_normal}};
+        return run;
+    };
+    const BatchReport report =
+        run_batch(jobs, make_and_round, leave_out ? Keep::finished : Keep::nothing);
     std::size_t width = 0;
     for (const auto& [job, table] : made) width = std::max(width, models_text(job).size());
     if (!made.empty())
@@ -151,6 +163,10 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
                        error_text(job, table.accuracy.relative, integral_error_of));
     }
     fmt::print("{}", of_layers);
+    if (rounded)
+        fmt::print(
+            "half precision adds up to {:.1e} of a value to these errors, {:.1e} below {:.1e}\n",
+            half_rounding::relative, half_rounding::absolute, half_rounding::least_normal);
     fmt::print("{} made, {}{} already finished\n", report.made,
                report.copied == 0 ? "" : fmt::format("{} copied, ", report.copied), report.kept);
 }

@@ -77,6 +77,9 @@ void make(const TableOptions& options, const std::vector<std::string>& words)
     }
     request.solver = request.quantity->solvers.front();
     request.storage = {format_of(path), {options.half, options.compression}};
+    if (options.half && request.storage.format != "exr")
+        throw UsageError(
+            fmt::format("--half is for the format exr, not {}", request.storage.format));
     scene.tables.push_back(request);
 
     std::vector<Job> jobs = plan_jobs(scene);

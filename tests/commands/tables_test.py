@@ -28,6 +28,14 @@ class Tables(GonioCase):
         )
         self.assertEqual((self.at / "m.binary").stat().st_size, 12 + 3 * 8 * 90 * 90 * 180)
 
+    def test_half_precision_tells_its_rounding(self):
+        half = ("table", "ggx", "--grid", "8x8x16", "--half", "-o")
+        self.assertIn("adds up to 4.9e-04 of a value", self.gonio(*half, "a.exr"))
+        rounding = json.loads((self.at / "a.json").read_text())["run"]["rounding_to_half"]
+        self.assertEqual(list(rounding.values()), [2**-11, 2**-25, 2**-14])
+        self.assertNotIn("adds up", self.gonio(*half[:-2], "-o", "b.exr"))
+        self.assertIn("--half is for the format exr", self.gonio(*half, "a.npy", code=2))
+
     def test_table_of_an_integral(self):
         mu, alpha = "mu = { to = 1, count = 3 }", "alpha = { values = [0.1, 0.2] }"
         dfg = ("table", "ggx", "--quantity", "dfg")

@@ -10,8 +10,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "gonio/errors.hpp"
 #include "gonio/table.hpp"
+#include "output/half_rounding.hpp"
 #include "output/table_fixtures.hpp"
 
 namespace gonio {
@@ -40,6 +44,35 @@ TEST_F(Exr, KeepsValuesInEveryCompressionAsFloatAndAsHalf)
             EXPECT_EQ(read_table(path).values, table.values) << compression << ' ' << half;
         }
     }
+}
+
+TEST_F(Exr, LosesAsMuchInHalvesAsIsTold)
+{
+    Table table;
+    table.header = test::small_header();
+    table.values.resize(table.header.channels.size());
+    double of_value = 0, of_small = 0;
+    for (double scale = 1e-10; scale < 1e4; scale *= 4) {
+        for (auto& plane : table.values) {
+            plane.resize(table.header.cells());
+            for (std::size_t k = 0; k < plane.size(); ++k)
+                plane[k] = scale * std::pow(4, double(k) / double(plane.size()));
+        }
+        test::write_in_pieces(path, "exr", table, 4, {true, "none"});
+        const Table got = read_table(path);
+        for (std::size_t k = 0; k < table.values[0].size(); ++k) {
+            const double value = double(float(table.values[0][k]));
+            const double lost = std::abs(got.values[0][k] - value);
+            if (value < half_rounding::least_normal)
+                of_small = std::max(of_small, lost);
+            else
+                of_value = std::max(of_value, lost / value);
+        }
+    }
+    EXPECT_LE(of_value, half_rounding::relative);
+    EXPECT_GT(of_value, 0.8 * half_rounding::relative);
+    EXPECT_LE(of_small, half_rounding::absolute);
+    EXPECT_GT(of_small, 0.8 * half_rounding::absolute);
 }
 
 TEST_F(Exr, RoundsDoublesToFloats)
