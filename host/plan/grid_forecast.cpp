@@ -72,7 +72,7 @@ Forecast grid_forecast(const Device& device, const Job& job)
     const Material& material = job.materials[job.materials.size() / 2];
     Forecast result{.error = accuracy_bound(material),
                     .error_of = "each value from 1e-6 of the largest on"};
-    if (job.write.half) {  // where it has normal numbers
+    if (job.format == "exr" && job.write.half) {  // where it has normal numbers
         result.error += 0x1p-11;
         result.error_of = "each value from 6.1e-5 on";
     }

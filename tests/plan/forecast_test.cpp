@@ -2,6 +2,7 @@
 // What gonio plan says of time and error is about what comes.
 #include "plan/forecast.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -87,29 +88,37 @@ TEST_F(Forecasts, TryWorkForAWhile)
 TEST_F(Forecasts, OfLayersWithoutNoiseKnowTheirErrorAndTime)
 {
     const std::string grid =
-        "quantity = \"brdf\"\ngrid = { kind = \"isotropic\", theta_i = 90, theta_o = 90, "
-        "delta_phi = 90 }\n";
-    const Job job = job_of(slab, grid + "max_error = 1e-7\n");
+        "quantity = \"brdf\"\ngrid = { kind = \"isotropic\", theta_i = 30, theta_o = 30, "
+        "delta_phi = 30 }\n";
+    const auto seconds_of = [](const Job& job) {
+        const Stopwatch since;
+        exact_values(*job.layers, job.header.axes);
+        return since.seconds();
+    };
+    const Job job = job_of(slab, grid + "max_error = 1e-9\n");
     const Forecast expected = of(job);
-    EXPECT_EQ(expected.error, 1e-7);
+    EXPECT_EQ(expected.error, 1e-9);
     EXPECT_TRUE(expected.is_bound);
-    const Stopwatch since;
-    exact_values(*job.layers, job.header.axes);
-    const double seconds = since.seconds();
-    ASSERT_GT(seconds, 4 * trial_seconds) << "done within the trial: tells nothing";
-    EXPECT_THAT(expected.seconds, AllOf(Gt(seconds / 3), Lt(seconds * 3)));
+    // On a slow machine the error of the first solutions comes after the trial.
+    const double two = seconds_of(job_of(slab, grid + "time = 0\n")), seconds = seconds_of(job);
+    const double factor = two < 0.5 ? 3 : 8;
+    EXPECT_THAT(expected.seconds, AllOf(Gt(seconds / factor), Lt(seconds * factor)));
 
+    const Forecast soon = of(job_of(slab, grid + fmt::format("time = {}\n", 4 * two)));
+    const Forecast later = of(job_of(slab, grid + fmt::format("time = {}\n", 64 * two)));
+    EXPECT_FALSE(later.is_bound);
+    EXPECT_NEAR(later.seconds, 64 * two, 1e-3);
+    EXPECT_THAT(later.error, AllOf(Gt(0), Lt(soon.error)));
+    EXPECT_EQ(of(job_of(slab, grid + "time = 400\nmax_error = 1e-3\n")).error, 1e-3);
+}
+
+TEST_F(Forecasts, OfLayersWithoutNoiseKnowWhatTheyAreComputedTo)
+{
     EXPECT_EQ(of(job_of(slab, "quantity = \"light_budget\"\n")).error, 1e-6);
     // Known when all is done, within the trial.
     const Forecast paths = of(job_of(slab, "quantity = \"mean_path\"\n"));
     EXPECT_THAT(paths.error, AllOf(Gt(1e-8), Lt(1e-4)));
     EXPECT_FALSE(paths.is_bound);
-    const Forecast soon = of(job_of(slab, grid + "time = 0.5\n"));
-    const Forecast later = of(job_of(slab, grid + "time = 4\n"));
-    EXPECT_FALSE(later.is_bound);
-    EXPECT_EQ(later.seconds, 4);
-    EXPECT_THAT(later.error, AllOf(Gt(0), Lt(soon.error)));
-    EXPECT_EQ(of(job_of(slab, grid + "time = 400\nmax_error = 1e-3\n")).error, 1e-3);
 }
 
 TEST_F(Forecasts, OfGridsAreBoundsThatHold)
