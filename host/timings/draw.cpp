@@ -60,9 +60,10 @@ void draw_points(const Axes& axes, const BenchPlot& plot, const std::string& ser
             cairo_arc(cairo, x, y, 5.5, 0, 6.3);
             cairo_stroke(cairo);
         }
-        if (!plot.joined)
-            draw_text(cairo, {7.5, false, colour}, x + 5, y - 3, point.label, Align::left,
-                      plot_box.x + plot_box.width - x);
+        if (plot.joined) continue;
+        const bool leftwards = x > plot_box.x + plot_box.width * 3 / 4;
+        draw_text(cairo, {7.5, false, colour}, leftwards ? x - 5 : x + 5, y - 3, point.label,
+                  leftwards ? Align::right : Align::left);
     }
 }
 
