@@ -11,6 +11,7 @@
 #include "gonio/compute.hpp"
 #include "output/grid_coordinates.hpp"
 #include "output/lookup.hpp"
+#include "timings/relative_error.hpp"
 #include "timings/sections.hpp"
 
 namespace gonio {
@@ -28,21 +29,6 @@ std::vector<DirectionPair> random_pairs(std::size_t count)
     std::vector<DirectionPair> pairs(count);
     for (DirectionPair& pair : pairs) pair = {theta(), 0, theta(), azimuth(random)};
     return pairs;
-}
-
-double root_mean_square(const std::vector<double>& values)
-{
-    double sum = 0;
-    for (const double value : values) sum += value * value;
-    return std::sqrt(sum / double(values.size()));
-}
-
-/// Root of the mean square error, over that of the BRDF itself.
-double error_of(const std::vector<double>& found, const std::vector<double>& right)
-{
-    std::vector<double> differences(found);
-    for (std::size_t k = 0; k < found.size(); ++k) differences[k] -= right[k];
-    return root_mean_square(differences) / root_mean_square(right);
 }
 
 /// One BRDF at random pairs of directions.
@@ -110,7 +96,7 @@ private:
     {
         std::vector<double> found(pairs_.size());
         work(found);
-        const double error = error_of(found, right_);
+        const double error = relative_error(found, right_);
         const auto nanoseconds_each = [work, found]() mutable {
             return seconds_on_the_wall([&] { work(found); }) * 1e9 / double(found.size());
         };

@@ -34,6 +34,7 @@ void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds
     }
 }
 
+
 double seconds_on_the_wall(const std::function<void()>& work)
 {
     const Stopwatch since;
@@ -50,6 +51,7 @@ const std::vector<BenchSection>& bench_sections()
         {"lookup-diffuse", "the same of a diffuse lobe", bench_lookup_diffuse},
         {"split-sum", "quadrature against sampling: error against time", bench_split_sum},
         {"photons", "photons and adding-doubling: error against time", bench_photons},
+        {"tallies", "photons by angle, depth, distance, time: error against time", bench_tallies},
         {"time-to-error", "seconds to an asked error", bench_time_to_error},
         {"generators", "random numbers: speed and bias", bench_generators},
         {"device-generators", "the same on the device", bench_device_generators},

@@ -36,6 +36,7 @@ struct Candidate {
 /// Runs them in turn, and adds their points to the plot.
 void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds);
 
+
 /// Of a clock on the wall.
 double seconds_on_the_wall(const std::function<void()>& work);
 
@@ -45,6 +46,7 @@ BenchPlot bench_lookup_sharp(const BenchRun& run);
 BenchPlot bench_lookup_diffuse(const BenchRun& run);
 BenchPlot bench_split_sum(const BenchRun& run);
 BenchPlot bench_photons(const BenchRun& run);
+BenchPlot bench_tallies(const BenchRun& run);
 BenchPlot bench_time_to_error(const BenchRun& run);
 BenchPlot bench_generators(const BenchRun& run);
 BenchPlot bench_device_generators(const BenchRun& run);

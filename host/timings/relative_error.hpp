@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far values are off that belong together.
+#pragma once
+
+#include <vector>
+
+namespace gonio {
+
+/// The root of the mean square of the differences, over that of the right values. Both have the
+/// same size.
+double relative_error(const std::vector<double>& found, const std::vector<double>& right);
+
+/// Over the number of values.
+double root_mean_square(const std::vector<double>& values);
+
+}  // namespace gonio
