@@ -24,11 +24,6 @@ double table_seconds(const Device& device, std::size_t tile_bytes)
     });
 }
 
-Quartiles rate_of(double amount, const Quartiles& seconds)
-{
-    return {amount / seconds.median, amount / seconds.high, amount / seconds.low};
-}
-
 }  // namespace
 
 BenchPlot bench_scaling(const BenchRun& run)

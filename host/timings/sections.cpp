@@ -34,6 +34,10 @@ void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds
     }
 }
 
+Quartiles rate_of(double amount, const Quartiles& seconds)
+{
+    return {amount / seconds.median, amount / seconds.high, amount / seconds.low};
+}
 
 double seconds_on_the_wall(const std::function<void()>& work)
 {
@@ -57,6 +61,7 @@ const std::vector<BenchSection>& bench_sections()
         {"device-generators", "the same on the device", bench_device_generators},
         {"choices", "vector width, roulette, absorption: what they gain", bench_photon_choices},
         {"scaling", "over compute units", bench_scaling},
+        {"work-size", "over the size of a launch", bench_work_size},
         {"tiles", "over sizes of tiles", bench_tiles},
         {"start", "building programs and first launches", bench_start},
         {"savings", "scenes with their plan and without", bench_savings},

@@ -36,6 +36,8 @@ struct Candidate {
 /// Runs them in turn, and adds their points to the plot.
 void time_in_turn(BenchPlot& plot, std::vector<Candidate> candidates, int rounds);
 
+/// Of so much work a second.
+Quartiles rate_of(double amount, const Quartiles& seconds);
 
 /// Of a clock on the wall.
 double seconds_on_the_wall(const std::function<void()>& work);
@@ -52,6 +54,7 @@ BenchPlot bench_generators(const BenchRun& run);
 BenchPlot bench_device_generators(const BenchRun& run);
 BenchPlot bench_photon_choices(const BenchRun& run);
 BenchPlot bench_scaling(const BenchRun& run);
+BenchPlot bench_work_size(const BenchRun& run);
 BenchPlot bench_tiles(const BenchRun& run);
 BenchPlot bench_start(const BenchRun& run);
 BenchPlot bench_savings(const BenchRun& run);
