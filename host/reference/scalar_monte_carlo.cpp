@@ -124,13 +124,17 @@ void Simulation::meet_boundary(ScalarPhoton& photon)
     else if (photon.layer > 0)
         n_behind = levels_[photon.layer - 1].n;
 
+    const double cosine = std::abs(photon.uz), ratio = n / n_behind;
+    const double sine_behind = ratio * std::sqrt((1 - cosine) * (1 + cosine));
+    const bool total = sine_behind >= 1;
+    double reflectance = 0;
+    if (n != n_behind) reflectance = total ? 1 : fresnel_exact(1 / ratio, 0, cosine);
+    const bool draws = request_.draws_at_all_boundaries || (n != n_behind && !total);
+    if ((draws ? uniform() : 0.5) < reflectance) {
+        photon.uz = -photon.uz;
+        return;
+    }
     if (n != n_behind) {
-        const double cosine = std::abs(photon.uz), ratio = n / n_behind;
-        const double sine_behind = ratio * std::sqrt((1 - cosine) * (1 + cosine));
-        if (sine_behind >= 1 || uniform() < fresnel_exact(1 / ratio, 0, cosine)) {
-            photon.uz = -photon.uz;
-            return;
-        }
         photon.ux *= ratio;
         photon.uy *= ratio;
         photon.uz = std::copysign(std::sqrt((1 - sine_behind) * (1 + sine_behind)), photon.uz);

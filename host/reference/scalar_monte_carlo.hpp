@@ -29,6 +29,9 @@ struct MonteCarloRequest {
     double roulette_survival = 0.1;  ///< with this probability
     /// A photon is absorbed whole or not at all, instead of losing weight.
     bool analogue = false;
+    /// Draws a number where it decides nothing, too, as MCML does: between equal indices and where
+    /// all light is reflected. The order of numbers shows where their generator is bad.
+    bool draws_at_all_boundaries = false;
     std::size_t most_steps = 10'000'000;  ///< of one photon; what it carries then is `unfinished`
 
     double dr = 0.01, dz = 0.01;                            ///< bin widths, cm

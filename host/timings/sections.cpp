@@ -58,6 +58,7 @@ const std::vector<BenchSection>& bench_sections()
         {"tallies", "photons by angle, depth, distance, time: error against time", bench_tallies},
         {"time-to-error", "seconds to an asked error", bench_time_to_error},
         {"generators", "random numbers: speed and bias", bench_generators},
+        {"generator-errors", "random numbers: error against photons", bench_generator_errors},
         {"device-generators", "the same on the device", bench_device_generators},
         {"choices", "vector width, roulette, absorption: what they gain", bench_photon_choices},
         {"scaling", "over compute units", bench_scaling},

@@ -51,6 +51,7 @@ BenchPlot bench_photons(const BenchRun& run);
 BenchPlot bench_tallies(const BenchRun& run);
 BenchPlot bench_time_to_error(const BenchRun& run);
 BenchPlot bench_generators(const BenchRun& run);
+BenchPlot bench_generator_errors(const BenchRun& run);
 BenchPlot bench_device_generators(const BenchRun& run);
 BenchPlot bench_photon_choices(const BenchRun& run);
 BenchPlot bench_scaling(const BenchRun& run);

@@ -55,6 +55,30 @@ TEST(ScalarMonteCarloTest, GivesTheExactBudgetsOfTissue)
     test.expect_only_noise();
 }
 
+TEST(ScalarMonteCarloTest, DrawsInTheOrderOfMcmlIfAsked)
+{
+    const LayeredMedium medium{.layers = {layer(1, 0, 0, 0, 1), layer(1, 0, 0, 0, 1)}};
+    const auto drawn = [&](bool at_all_boundaries) {
+        std::size_t count = 0;
+        simulate(medium, {.photons = 2,
+                          .uniform =
+                              [&] {
+                                  ++count;
+                                  return 0.5;
+                              },
+                          .batches = 2,
+                          .draws_at_all_boundaries = at_all_boundaries});
+        return count;
+    };
+    // Two photons meet two boundaries each, where nothing is left to chance.
+    EXPECT_EQ(drawn(true), drawn(false) + 4);
+    MonteCarloRequest request = photons(10'000);
+    request.draws_at_all_boundaries = true;
+    ZTest test;
+    compare(test, "five-layer skin", five_layer_skin(), request);
+    test.expect_only_noise();
+}
+
 TEST(ScalarMonteCarloTest, LosesNoLight)
 {
     LayeredMedium medium = mcml_sample();
