@@ -35,6 +35,14 @@ Scale::Scale(double from, double to, bool logarithmic)
     to_ += 0.5;
 }
 
+Scale::Scale(std::vector<std::string> names)
+    : from_(0.5),
+      to_(0.5 + static_cast<double>(names.size())),
+      logarithmic_(false),
+      names_(std::move(names))
+{
+}
+
 double Scale::operator()(double value) const
 {
     return ((logarithmic_ ? std::log10(value) : value) - from_) / (to_ - from_);
@@ -43,6 +51,9 @@ double Scale::operator()(double value) const
 std::vector<std::pair<double, std::string>> Scale::ticks() const
 {
     std::vector<std::pair<double, std::string>> all;
+    for (const std::string& name : names_)
+        all.emplace_back(static_cast<double>(all.size() + 1), name);
+    if (!all.empty()) return all;
     double step = round_step((to_ - from_) / most_ticks);
     if (logarithmic_) step = std::max(1.0, std::ceil(step));
     constexpr double slack = 1e-9;

@@ -13,6 +13,8 @@ namespace gonio {
 class Scale {
 public:
     Scale(double from, double to, bool logarithmic);
+    /// Linear, of 1, 2, … with a name each.
+    explicit Scale(std::vector<std::string> names);
 
     double operator()(double value) const;
     /// At most about ten numbers, and what to write there.
@@ -21,6 +23,7 @@ public:
 private:
     double from_, to_;
     bool logarithmic_;
+    std::vector<std::string> names_;
 };
 
 /// A rectangle of the page with a scale along each side; y goes up.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "timings/report.hpp"
 
@@ -17,11 +18,25 @@ bool apart(const Quartiles& a, const Quartiles& b)
 /// Quartiles of the ratio b / a, as far as those of a and b tell.
 std::string ratio(const Quartiles& a, const Quartiles& b)
 {
-    if (a.median == b.median) return fmt::format("{:>22}", "same");
-    if (!(a.low > 0))
-        return fmt::format("{:>22}", fmt::format("{:.3g} -> {:.3g}", a.median, b.median));
-    return fmt::format("{:>7.3f} ({:.3f} to {:.3f}){}", b.median / a.median, b.low / a.high,
-                       b.high / a.low, apart(a, b) ? " *" : "  ");
+    if (a.median == b.median) return "same";
+    if (!(a.low > 0)) return fmt::format("{:.3g} -> {:.3g}", a.median, b.median);
+    return fmt::format("{:.3f} ({:.3f} to {:.3f}){}", b.median / a.median, b.low / a.high,
+                       b.high / a.low, apart(a, b) ? " *" : "");
+}
+
+using Row = std::array<std::string, 4>;
+
+/// Columns as wide as the longest of their texts.
+std::string aligned(const std::vector<Row>& rows)
+{
+    std::array<std::size_t, 4> widths{};
+    for (const Row& row : rows)
+        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+    std::string text;
+    for (const Row& row : rows)
+        text += fmt::format("{:<{}}  {:<{}}  {:<{}}  {}\n", row[0], widths[0], row[1], widths[1],
+                            row[2], widths[2], row[3]);
+    return text;
 }
 
 }  // namespace
@@ -36,16 +51,16 @@ std::string comparison(const BenchReport& first, const BenchReport& second)
     for (const BenchPlot& plot : first.plots) {
         const auto other = std::ranges::find(second.plots, plot.id, &BenchPlot::id);
         if (other == second.plots.end()) continue;
-        text += fmt::format("\n{}\n{:<28} {:<22} {:<28} {}\n", plot.title, "", "", plot.x_title,
-                            plot.y_title);
+        std::vector<Row> rows{{"", "", plot.x_title, plot.y_title}};
         for (const BenchPoint& point : plot.points) {
             const auto twin = std::ranges::find_if(other->points, [&](const BenchPoint& p) {
                 return p.series == point.series && p.label == point.label;
             });
             if (twin == other->points.end()) continue;
-            text += fmt::format("{:<28} {:<22} {:<28} {}\n", point.series, point.label,
-                                ratio(point.x, twin->x), ratio(point.y, twin->y));
+            rows.push_back(
+                {point.series, point.label, ratio(point.x, twin->x), ratio(point.y, twin->y)});
         }
+        text += fmt::format("\n{}\n{}", plot.title, aligned(rows));
     }
     return text;
 }

@@ -74,7 +74,9 @@ void write_bench_plot(const std::filesystem::path& path, const BenchPlot& plot)
     Page page(path, width, height);
     cairo_t* cairo = page.cairo();
     draw_text(cairo, {15, true, ink}, 20, 28, plot.title, Align::left, width - 40);
-    const Axes axes{cairo, plot_box, scale_of(plot, &BenchPoint::x, plot.x_logarithmic),
+    const Axes axes{cairo, plot_box,
+                    plot.x_names.empty() ? scale_of(plot, &BenchPoint::x, plot.x_logarithmic)
+                                         : Scale(plot.x_names),
                     scale_of(plot, &BenchPoint::y, plot.y_logarithmic)};
     axes.draw(plot.x_title, plot.y_title);
     std::vector<std::string> names;

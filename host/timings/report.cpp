@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 #include "gonio/errors.hpp"
 #include "opencl/embedded.hpp"
@@ -36,13 +37,15 @@ Json json_of(const BenchPlot& plot)
                           {"y", json_of(point.y)},
                           {"best", point.best},
                           {"more", point.more}});
-    return {{"id", plot.id},
-            {"title", plot.title},
-            {"note", plot.note},
-            {"x", {{"title", plot.x_title}, {"logarithmic", plot.x_logarithmic}}},
-            {"y", {{"title", plot.y_title}, {"logarithmic", plot.y_logarithmic}}},
-            {"joined", plot.joined},
-            {"points", points}};
+    return {
+        {"id", plot.id},
+        {"title", plot.title},
+        {"note", plot.note},
+        {"x",
+         {{"title", plot.x_title}, {"logarithmic", plot.x_logarithmic}, {"names", plot.x_names}}},
+        {"y", {{"title", plot.y_title}, {"logarithmic", plot.y_logarithmic}}},
+        {"joined", plot.joined},
+        {"points", points}};
 }
 
 BenchPlot plot_from(const Json& json)
@@ -54,7 +57,8 @@ BenchPlot plot_from(const Json& json)
                    json.at("y").at("title"),
                    json.at("x").at("logarithmic"),
                    json.at("y").at("logarithmic"),
-                   json.at("joined")};
+                   json.at("joined"),
+                   json.at("x").value("names", std::vector<std::string>())};
     for (const Json& point : json.at("points"))
         plot.points.push_back({point.at("series"), point.at("label"), quartiles_from(point.at("x")),
                                quartiles_from(point.at("y")), point.at("best"), point.at("more")});
@@ -66,15 +70,32 @@ std::string quoted(const std::string& text)
     return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
 }
 
-std::string csv_of(const BenchReport& report)
+/// The further numbers of any point.
+std::set<std::string> names_of_more(const BenchReport& report)
 {
-    std::string text = "plot,series,label,x_title,x,x_low,x_high,y_title,y,y_low,y_high,best\n";
+    std::set<std::string> names;
     for (const BenchPlot& plot : report.plots)
         for (const BenchPoint& point : plot.points)
-            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:d}\n", plot.id,
+            for (const auto& [name, value] : point.more) names.insert(name);
+    return names;
+}
+
+std::string csv_of(const BenchReport& report)
+{
+    const std::set<std::string> names = names_of_more(report);
+    std::string text = "plot,series,label,x_title,x,x_low,x_high,y_title,y,y_low,y_high,best";
+    for (const std::string& name : names) text += ',' + name;
+    text += '\n';
+    for (const BenchPlot& plot : report.plots)
+        for (const BenchPoint& point : plot.points) {
+            text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{:d}", plot.id,
                                 quoted(point.series), quoted(point.label), quoted(plot.x_title),
                                 point.x.median, point.x.low, point.x.high, quoted(plot.y_title),
                                 point.y.median, point.y.low, point.y.high, point.best);
+            for (const std::string& name : names)
+                text += point.more.contains(name) ? fmt::format(",{}", point.more.at(name)) : ",";
+            text += '\n';
+        }
     return text;
 }
 

@@ -37,6 +37,7 @@ struct BenchPlot {
     std::string x_title, y_title;
     bool x_logarithmic = true, y_logarithmic = true;
     bool joined = true;
+    std::vector<std::string> x_names = {};  ///< of x = 1, 2, …, where those are no quantities
     std::vector<BenchPoint> points = {};
 };
 

@@ -73,7 +73,7 @@ BenchPlot bench_split_sum(const BenchRun& run)
                    "seconds", "mean error"};
     run.step("split-sum: what is right");
     Job job = split_sum_job();
-    const std::vector<RightCell> right = right_cells(job, run.quick ? 15 : 7);
+    const std::vector<RightCell> right = right_cells(job, run.quick ? 20 : 7);
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& series, const std::string& label, auto make) {
         run.step(fmt::format("split-sum: {} {}", series, label));

@@ -13,10 +13,11 @@
 namespace gonio {
 namespace {
 
-constexpr std::size_t stages = 5;
+constexpr std::array stages{"build", "first launch", "second launch", "cached build",
+                            "launch after it"};
 
 /// Stages in seconds, of several rounds.
-using Stages = std::array<std::vector<double>, stages>;
+using Stages = std::array<std::vector<double>, stages.size()>;
 
 PhotonProgram skin_program(bool absorbed)
 {
@@ -70,10 +71,10 @@ void time_table(const BenchRun& run, const Lobe& lobe, Stages& all)
 
 void add_points(BenchPlot& plot, const std::string& series, Stages& all)
 {
-    for (std::size_t k = 0; k < stages; ++k)
+    for (std::size_t k = 0; k < stages.size(); ++k)
         if (!all[k].empty())
-            plot.points.push_back({series, fmt::format("stage {}", k + 1), exactly(double(k + 1)),
-                                   quartiles_of(std::move(all[k]))});
+            plot.points.push_back(
+                {series, stages[k], exactly(double(k + 1)), quartiles_of(std::move(all[k]))});
 }
 
 }  // namespace
@@ -82,11 +83,11 @@ BenchPlot bench_start(const BenchRun& run)
 {
     BenchPlot plot{
         "start", "Until a program runs",
-        "1: a program is built that the driver has never seen (a name in it is new); 2: its "
-        "first launch, in which some drivers compile; 3: its second launch; 4: the same text "
-        "is built in a new context, where the driver may remember it; 5: its first launch. Of "
-        "tables only 4 and 5.",
+        "Build: of a program that the driver has never seen (a name in it is new). First launch: "
+        "in it some drivers compile. Cached build: of the same text in a new context, where the "
+        "driver may remember it. Of tables only what comes from there on.",
         "stage", "seconds"};
+    plot.x_names = {stages.begin(), stages.end()};
     plot.x_logarithmic = false;
     const auto now = std::chrono::system_clock::now().time_since_epoch().count();
     const int rounds = run.quick ? 1 : 3;

@@ -19,10 +19,13 @@ import numpy
 
 ROOT = pathlib.Path(sys.argv.pop()).resolve()
 GONIO = pathlib.Path(sys.argv.pop()).resolve()
-# Without those that take most of the time.
-SECTIONS = ["lookup", "split-sum", "time-to-error", "tiles", "start"]
+# Without those that take most of the time, and one of each kind.
+SECTIONS = ["lookup", "split-sum", "tallies", "time-to-error", "generators", "generator-errors",
+            "device-generators", "scaling", "work-size", "tiles", "start"]
 STRIP = 700  # pixels
-FIRST_COLOUR = (0x3B, 0x5A, 0x7A)  # of the first series of every plot
+LEGEND = 730  # pixels from the left: beyond are the legends of plots
+COLOURS = [0x3B5A7A, 0xD8504A, 0x3A9A55, 0x8A63B8, 0xC98A1B, 0x2A9AA8, 0x8C564B, 0x6B6B6B, 0xC2519C,
+           0x7F9A1B]  # of series, in their order
 
 
 def gonio(*words, code=0):
@@ -63,6 +66,10 @@ class Bench(unittest.TestCase):
             self.assertEqual(row["label"], point["label"])
             self.assertEqual(float(row["x"]), point["x"]["median"])
             self.assertEqual(float(row["y"]), point["y"]["median"])
+            for name in ("extrapolated", "Geval_per_s"):
+                if name in row:
+                    self.assertEqual(row[name], str(int(point["more"][name]))
+                                     if name in point["more"] else "")
 
     def test_what_is_best_is_beaten_by_nothing(self):
         measured = self.plot("lookup")["points"]
@@ -96,6 +103,25 @@ class Bench(unittest.TestCase):
         sampling = [p["y"]["median"] for p in points if p["series"] != "quadrature"]
         self.assertLess(100 * max(quadrature), min(sampling))
 
+    def test_photons_tell_their_errors(self):
+        """Seeds are given, so these are the same on every device."""
+        points = self.plot("tallies")["points"]
+        errors = {(p["series"], p["label"]): p["y"]["median"] for p in points}
+        for tally in ("R(alpha)", "A(z)"):
+            for photons in ("2^12 photons", "2^14 photons"):
+                off = errors[f"{tally}, true", photons]
+                told = errors[f"{tally}, standard error", photons]
+                self.assertLess(abs(off / told - 1), 0.5, (tally, photons))
+        for tally in ("R(alpha)", "A(z)", "R(r)", "R(t)"):
+            ratio = (errors[f"{tally}, standard error", "2^12 photons"]
+                     / errors[f"{tally}, standard error", "2^14 photons"])
+            self.assertLess(abs(ratio / 2 - 1), 0.3, tally)
+
+    def test_stages_have_names(self):
+        plot = self.plot("start")
+        for point in plot["points"]:
+            self.assertEqual(plot["x"]["names"][round(point["x"]["median"]) - 1], point["label"])
+
     def test_pictures_have_ink(self):
         for name in SECTIONS:
             self.assertIn(b"<svg", (self.at / f"{name}.svg").read_bytes()[:200])
@@ -105,6 +131,7 @@ class Bench(unittest.TestCase):
         text = gonio("--compare", self.at, self.at / "results.json")
         self.assertIn("same", text)
         self.assertNotIn("*\n", text.split("\n", 1)[1])
+        self.columns_are_straight(text)
         slower = json.loads(json.dumps(self.results))
         for plot in slower["plots"]:
             for point in plot["points"]:
@@ -113,6 +140,15 @@ class Bench(unittest.TestCase):
         other = self.at / "slower.json"
         other.write_text(json.dumps(slower))
         self.assertRegex(gonio("--compare", self.at, other), r" 3\.000 \([0-9.]+ to [0-9.]+\)")
+
+    def columns_are_straight(self, text):
+        for plot in self.results["plots"]:
+            rows = text[text.index(f"\n{plot['title']}\n"):].split("\n\n")[0].splitlines()[2:]
+            at = rows[0].index(plot["x"]["title"])
+            self.assertEqual(len(rows), 1 + len(plot["points"]))
+            for row, point in zip(rows[1:], plot["points"]):
+                self.assertEqual(row[:at].split(), (point["series"] + " " + point["label"]).split())
+                self.assertRegex(row[at - 2:], r"^  \S")
 
     def test_a_browser_shows_the_page(self):
         page = (self.at / "report.html").read_text()
@@ -128,11 +164,12 @@ class Bench(unittest.TestCase):
             text=True, capture_output=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
-        picture = numpy.asarray(PIL.Image.open(self.at / "page.png").convert("RGB"))
+        picture = numpy.asarray(PIL.Image.open(self.at / "page.png").convert("RGB"), dtype=int)
+        codes = picture @ [1 << 16, 1 << 8, 1]
         for k, name in enumerate(SECTIONS):
-            strip = picture[k * STRIP:(k + 1) * STRIP]
-            ink = (strip == FIRST_COLOUR).all(axis=2).sum()
-            self.assertGreater(ink, 100, name)
+            strip = codes[k * STRIP:(k + 1) * STRIP, :LEGEND]
+            ink = sum((strip == colour).sum() for colour in COLOURS)
+            self.assertGreater(ink, 5 * len(self.plot(name)["points"]), name)
 
     def test_bad_input(self):
         self.assertIn("did you mean `start`", gonio("strat", code=2))
