@@ -11,6 +11,7 @@
 #include "opencl/store_rate.hpp"
 #include "plan/interrupt.hpp"
 #include "plan/progress.hpp"
+#include "timings/aligned.hpp"
 #include "timings/sections.hpp"
 #include "version.hpp"
 
@@ -63,10 +64,13 @@ void print(const BenchReport& report)
     for (const BenchPlot& plot : report.plots) {
         fmt::print("{}\n", plot.title);
         const auto best = std::ranges::count(plot.points, true, &BenchPoint::best);
+        std::vector<std::vector<std::string>> rows;
         for (const BenchPoint& point : plot.points)
             if (best == 0 || point.best)
-                fmt::print("    {:<38} {:<24} {}: {:.4g}, {}: {:.4g}\n", point.series, point.label,
-                           plot.x_title, point.x.median, plot.y_title, point.y.median);
+                rows.push_back({"  ", point.series, point.label,
+                                fmt::format("{}: {:.4g}", plot.x_title, point.x.median),
+                                fmt::format("{}: {:.4g}", plot.y_title, point.y.median)});
+        fmt::print("{}", aligned(rows));
     }
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
+#include "timings/aligned.hpp"
 #include "timings/report.hpp"
 
 namespace gonio {
@@ -24,21 +24,6 @@ std::string ratio(const Quartiles& a, const Quartiles& b)
                        b.high / a.low, apart(a, b) ? " *" : "");
 }
 
-using Row = std::array<std::string, 4>;
-
-/// Columns as wide as the longest of their texts.
-std::string aligned(const std::vector<Row>& rows)
-{
-    std::array<std::size_t, 4> widths{};
-    for (const Row& row : rows)
-        for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-    std::string text;
-    for (const Row& row : rows)
-        text += fmt::format("{:<{}}  {:<{}}  {:<{}}  {}\n", row[0], widths[0], row[1], widths[1],
-                            row[2], widths[2], row[3]);
-    return text;
-}
-
 }  // namespace
 
 std::string comparison(const BenchReport& first, const BenchReport& second)
@@ -51,7 +36,7 @@ std::string comparison(const BenchReport& first, const BenchReport& second)
     for (const BenchPlot& plot : first.plots) {
         const auto other = std::ranges::find(second.plots, plot.id, &BenchPlot::id);
         if (other == second.plots.end()) continue;
-        std::vector<Row> rows{{"", "", plot.x_title, plot.y_title}};
+        std::vector<std::vector<std::string>> rows{{"", "", plot.x_title, plot.y_title}};
         for (const BenchPoint& point : plot.points) {
             const auto twin = std::ranges::find_if(other->points, [&](const BenchPoint& p) {
                 return p.series == point.series && p.label == point.label;

@@ -10,7 +10,7 @@ namespace gonio {
 /// same size.
 double relative_error(const std::vector<double>& found, const std::vector<double>& right);
 
-/// Over the number of values.
+/// The root of the mean of their squares.
 double root_mean_square(const std::vector<double>& values);
 
 }  // namespace gonio

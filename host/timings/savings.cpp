@@ -129,8 +129,8 @@ BenchPlot bench_savings(const BenchRun& run)
                    "files: BRDFs of 256 x 256 x 720 cells over the whole turn; photons as many "
                    "as have the error asked for, by the error that a known number of them has. "
                    "Batches: the sums of scenes, with and without the one that exchanges its "
-                   "solver. Simple BRDFs take as long as their values are written, and leaving "
-                   "out saves them little.",
+                   "solver. Simple BRDFs take as long as their values are written, and photons "
+                   "seldom come to layers that are left out: both gain little.",
                    "seconds, planned", "times as long without a plan"};
     plot.joined = false;
     std::vector<Contest> contests;
