@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a table of a BRDF will cost: the device is fast, so that it is to check it and to write it.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <thread>
 
 #include "opencl/store_rate.hpp"
+#include "output/half_rounding.hpp"
 #include "plan/forecast_parts.hpp"
 #include "plan/trial.hpp"
 #include "verify/accuracy.hpp"
@@ -72,9 +75,9 @@ Forecast grid_forecast(const Device& device, const Job& job)
     const Material& material = job.materials[job.materials.size() / 2];
     Forecast result{.error = accuracy_bound(material),
                     .error_of = "each value from 1e-6 of the largest on"};
-    if (job.format == "exr" && job.write.half) {  // where it has normal numbers
-        result.error += 0x1p-11;
-        result.error_of = "each value from 6.1e-5 on";
+    if (job.format == "exr" && job.write.half) {
+        result.error += half_rounding::relative;
+        result.error_of = fmt::format("each value from {:.1e} on", half_rounding::least_normal);
     }
     if (job.fit) {
         result.seconds = *job.seconds;
