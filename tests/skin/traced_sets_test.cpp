@@ -18,8 +18,9 @@ namespace {
 Job job_of(const std::string& table)
 {
     const std::string skin =
-        "[[material]]\nname = \"arm\"\nskin = \"jacques_1998\"\nparameters = { melanin = { values "
-        "= [0.5, 1] } }\n[[table]]\nmaterial = \"arm\"\nformat = \"npy\"\n";
+        "[[material]]\nname = \"stopped\"\nskin = \"jacques_1998\"\nparameters = { melanin = { "
+        "values "
+        "= [0.5, 1] } }\n[[table]]\nmaterial = \"stopped\"\nformat = \"npy\"\n";
     return plan_jobs(parse_scene(skin + table, "s.toml"), testing::TempDir()).at(0);
 }
 
