@@ -91,7 +91,7 @@ nlohmann::ordered_json json_of(const MediumVerdict& medium)
 /// Those of some models, or all where none is named.
 std::vector<HardSpot> spots_of(const std::vector<std::string>& names)
 {
-    const std::vector<HardSpot> all = hard_spots();
+    std::vector<HardSpot> all = hard_spots();
     if (names.empty()) return all;
     std::vector<HardSpot> chosen;
     for (const std::string& name : names) {
