@@ -29,14 +29,10 @@ struct Squares {
 /// Squared errors over that which is wanted.
 Squares square_errors(const std::vector<Fraction>& light)
 {
-    std::vector<Fraction> densities;
-    double sum = 0;
-    for (std::size_t ring = 0; ring < rings; ++ring) {
-        const double area = ring_area(ring, width);
-        densities.push_back({light[ring].mean / area, light[ring].error / area});
-        sum += std::pow(light[ring].error / light[ring].mean, 2);
-    }
-    return {std::pow(largest_error(densities) / wanted, 2), sum / rings / (wanted * wanted)};
+    // Without what leaves beyond them.
+    const std::vector<Fraction> inner(light.begin(), light.begin() + rings);
+    return {std::pow(largest_error(ring_densities(inner, width)) / wanted, 2),
+            std::pow(mean_relative_error(inner) / wanted, 2)};
 }
 
 void spectrum(benchmark::State& state, const std::string& model)

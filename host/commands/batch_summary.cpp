@@ -137,7 +137,7 @@ void run_jobs(const Device& device, const std::vector<Job>& jobs, bool leave_out
     bool rounded = false;
     const auto make_and_round = [&](const Job& job, Progress& progress) {
         nlohmann::ordered_json run = make(job, progress);
-        if (job.format != "exr" || !job.write.half) return run;
+        if (!stores_half(job)) return run;
         rounded = true;
         run["rounding_to_half"] = {{"relative", half_rounding::relative},
                                    {"absolute", half_rounding::absolute},

@@ -121,6 +121,16 @@ std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quan
     return all;
 }
 
+std::vector<Fraction> ring_densities(const std::vector<Fraction>& rings, double width)
+{
+    std::vector<Fraction> all;
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        const double area = ring_area(k, width);
+        all.push_back({rings[k].mean / area, rings[k].error / area});
+    }
+    return all;
+}
+
 double largest_error(const std::vector<Fraction>& values)
 {
     double value = 0, error = 0;

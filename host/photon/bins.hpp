@@ -20,6 +20,9 @@ PhotonTallies tallies_of(const Quantity& quantity, const std::vector<Axis>& axes
 std::vector<Fraction> densities(const PhotonResult& result, const Quantity& quantity,
                                 const PhotonTallies& tallies, const std::vector<Axis>& axes);
 
+/// Per area of rings of one width, from the innermost on.
+std::vector<Fraction> ring_densities(const std::vector<Fraction>& rings, double width);
+
 /// The largest error over the largest value; 0 where all values are.
 double largest_error(const std::vector<Fraction>& values);
 /// The root of the mean square of their relative errors; infinite where a value is 0.

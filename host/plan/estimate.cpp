@@ -23,7 +23,7 @@ constexpr std::uint64_t tiles_in_memory = 2;  // one is computed while one is wr
 
 std::uint64_t file_bytes(const Job& job, std::uint64_t values)
 {
-    if (job.format == "exr" && job.write.half) return values * 2;
+    if (stores_half(job)) return values * 2;
     if (job.format == "merl") return values * merl_value;
     if (job.format != "csv") return values * sizeof(float);
     const auto cells = values / job.header.channels.size();

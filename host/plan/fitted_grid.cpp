@@ -62,7 +62,7 @@ std::size_t angles(GridKind kind)
 class GridFitter::Trial {
 public:
     Trial(const Job& job, const GridFit& fit, std::size_t pairs, unsigned seed)
-        : fit_(fit), half_(job.write.half && job.format == "exr"), pairs_(some_pairs(pairs, seed))
+        : fit_(fit), half_(stores_half(job)), pairs_(some_pairs(pairs, seed))
     {
         for (const Material& material : job.materials) {
             const Reference f = make_reference(material, job.measure);

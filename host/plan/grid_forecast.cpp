@@ -75,7 +75,7 @@ Forecast grid_forecast(const Device& device, const Job& job)
     const Material& material = job.materials[job.materials.size() / 2];
     Forecast result{.error = accuracy_bound(material),
                     .error_of = "each value from 1e-6 of the largest on"};
-    if (job.format == "exr" && job.write.half) {
+    if (stores_half(job)) {
         result.error += half_rounding::relative;
         result.error_of = fmt::format("each value from {:.1e} on", half_rounding::least_normal);
     }

@@ -98,12 +98,8 @@ Forecast profile_forecast(const Device& device, const Job& job)
     result.seconds =
         (seconds + of_all * (times - 1)) * static_cast<double>(sets_of(*job.skin).size());
     result.error = result.is_bound ? *asked : error / std::sqrt(times);
-    result.error_of =
-        wanted.ring_error ? "each ring, in the root of their mean square" : "the largest value";
-    if (job.header.quantity == "preintegrated_rgb") {
-        result.error = error;
-        result.error_of = "the profile, by Gaussians";
-    }
+    result.error_of = pilot.error_of();
+    if (job.header.quantity == "preintegrated_rgb") result.error = error;  // not of noise alone
     if (!std::isinf(error)) return result;
     return {.seconds = wanted.seconds ? result.seconds : NAN};
 }

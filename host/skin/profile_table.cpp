@@ -33,10 +33,9 @@ nlohmann::ordered_json fits_of(const ProfileFit<SumOfGaussians>& gaussians,
 void append_rings(Table& table, const RadialProfile& profile)
 {
     for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t k = 0; k < profile.rings[c].size(); ++k) {
-            const double area = ring_area(k, profile.width);
-            table.values[c].push_back(profile.rings[c][k].mean / area);
-            table.values[c + 3].push_back(profile.rings[c][k].error / area);
+        for (const Fraction& ring : ring_densities(profile.rings[c], profile.width)) {
+            table.values[c].push_back(ring.mean);
+            table.values[c + 3].push_back(ring.error);
         }
 }
 

@@ -16,11 +16,7 @@ namespace {
 /// Errors of a wavelength's rings over those that are asked for, the larger of both.
 double times_wanted(const std::vector<Fraction>& rings, const ProfileRequest& request)
 {
-    std::vector<Fraction> densities;
-    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-        const double area = ring_area(ring, request.width);
-        densities.push_back({rings[ring].mean / area, rings[ring].error / area});
-    }
+    const std::vector<Fraction> densities = ring_densities(rings, request.width);
     double times = 0;
     if (request.max_error) times = largest_error(densities) / *request.max_error;
     if (request.ring_error)

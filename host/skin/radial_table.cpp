@@ -18,17 +18,6 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Per area of the rings, and the errors behind.
-std::vector<Fraction> densities(const std::vector<Fraction>& rings, double width)
-{
-    std::vector<Fraction> all;
-    for (std::size_t k = 0; k < rings.size(); ++k) {
-        const double area = ring_area(k, width);
-        all.push_back({rings[k].mean / area, rings[k].error / area});
-    }
-    return all;
-}
-
 /// The ladders, then the wavelength, then the distance.
 const std::vector<double>& wavelengths_of(const Job& job)
 {
@@ -40,7 +29,7 @@ ordered_json append(Table& table, const RadialSpectrum& spectrum)
 {
     std::vector<double> errors, ring_errors;
     for (const auto& rings : spectrum.rings) {
-        const auto values = densities(rings, spectrum.width);
+        const auto values = ring_densities(rings, spectrum.width);
         errors.push_back(largest_error(values));
         ring_errors.push_back(mean_relative_error(values));
         for (const Fraction& value : values) {

@@ -58,6 +58,12 @@ struct Job {
     Where where;  ///< of the table in its scene
 };
 
+/// Are values rounded to 16 bits?
+inline bool stores_half(const Job& job)
+{
+    return job.format == "exr" && job.write.half;
+}
+
 /// The tables of a scene in its order, one job for each file. `directory` overrides the scene's
 /// unless it is empty. Throws UsageError for what the parts of the scene allow and their
 /// combination does not: an anisotropic material on a grid without a tangent frame, two files of
